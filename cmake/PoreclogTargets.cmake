@@ -1,0 +1,29 @@
+# How every library, program and test of the project is declared.
+
+include(GoogleTest)
+
+# Warnings are ours alone: PRIVATE, never handed to who links the target.
+function(poreclog_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                         $<$<BOOL:${PORECLOG_WERROR}>:-Werror>)
+endfunction()
+
+# poreclog_module(NAME SOURCES a.cpp ... DEPENDS target ...): one folder of solver/src.
+function(poreclog_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(poreclog_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(poreclog_${name} PUBLIC ${PROJECT_SOURCE_DIR}/solver/src)
+  target_link_libraries(poreclog_${name} PUBLIC ${ARG_DEPENDS})
+  poreclog_warnings(poreclog_${name})
+endfunction()
+
+# poreclog_test(NAME LABEL unit|verification|... SOURCES a.cpp ... DEPENDS target ...)
+function(poreclog_test name)
+  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest_main GTest::gmock)
+  target_compile_definitions(${name} PRIVATE PORECLOG_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  poreclog_warnings(${name})
+  gtest_discover_tests(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 600
+                       DISCOVERY_TIMEOUT 60)
+endfunction()

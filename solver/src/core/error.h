@@ -1,0 +1,37 @@
+// Errors by audience.  A user's mistake is an InputError, numerics that fail are a
+// ConvergenceError, a programmer's mistake is an assert.  Thrown where found, caught once
+// in main, which prints one line and returns the exit code named here.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace colloid {
+
+/// A scene, file or command line that is refused.  Exit code 2.
+class InputError : public std::runtime_error {
+ public:
+  /// `where` is a JSON pointer ("/fluid/viscosity"), a file or an option.
+  InputError(const std::string& where, const std::string& why)
+      : std::runtime_error(where + ": " + why), where_(where) {}
+
+  const std::string& where() const { return where_; }
+
+ private:
+  std::string where_;
+};
+
+/// A computation that did not converge or became unstable.  Exit code 3.
+class ConvergenceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Always on: refuses the user's input unless `ok`.
+inline void require(bool ok, const std::string& where, const std::string& why) {
+  if (!ok) {
+    throw InputError(where, why);
+  }
+}
+
+}  // namespace colloid
