@@ -1,0 +1,38 @@
+// Copies of the opposite side, one layer deep, along the periodic axes.
+#pragma once
+
+#include "flow/grid.h"
+
+namespace colloid {
+
+/// Halos of the other axes stay as they are: zero, the value behind a face of the box.
+template <class Real>
+void fill_halo(const Grid& grid, Real* x) {
+  const auto [nx, ny, nz] = grid.cells;
+  if (grid.periodic[0]) {
+    for (int k = 0; k <= nz; ++k) {
+      for (int j = 0; j <= ny; ++j) {
+        x[grid.index(-1, j, k)] = x[grid.index(nx - 1, j, k)];
+        x[grid.index(nx, j, k)] = x[grid.index(0, j, k)];
+      }
+    }
+  }
+  if (grid.periodic[1]) {
+    for (int k = 0; k <= nz; ++k) {
+      for (int i = -1; i <= nx; ++i) {
+        x[grid.index(i, -1, k)] = x[grid.index(i, ny - 1, k)];
+        x[grid.index(i, ny, k)] = x[grid.index(i, 0, k)];
+      }
+    }
+  }
+  if (grid.periodic[2]) {
+    for (int j = -1; j <= ny; ++j) {
+      for (int i = -1; i <= nx; ++i) {
+        x[grid.index(i, j, -1)] = x[grid.index(i, j, nz - 1)];
+        x[grid.index(i, j, nz)] = x[grid.index(i, j, 0)];
+      }
+    }
+  }
+}
+
+}  // namespace colloid

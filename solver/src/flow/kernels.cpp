@@ -1,0 +1,264 @@
+#include "flow/kernels.h"
+
+// One version of each loop per instruction set, chosen when the program starts.  Without
+// contraction of products (the project compiles with -ffp-contract=off) they agree bitwise.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define PORECLOG_CLONES \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define PORECLOG_CLONES
+#endif
+
+namespace colloid {
+
+namespace {
+
+std::size_t row_begin(const LevelView& m, int j, int k) {
+  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(m.origin) + j * m.stride_y +
+                                  k * m.stride_z);
+}
+
+}  // namespace
+
+template <class In, class Out>
+PORECLOG_CLONES void residual_plane(const LevelView& m, const Fields<In>& u,
+                                    const Fields<Out>& f, Fields<Out>& r, int k) {
+  const std::ptrdiff_t sy = m.stride_y;
+  const std::ptrdiff_t sz = m.stride_z;
+  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const Out d = static_cast<Out>(m.diagonal);
+  const auto kk = static_cast<std::size_t>(k + 1);
+  for (int j = 0; j < m.end[1]; ++j) {
+    const std::size_t q = row_begin(m, j, k);
+    const auto jj = static_cast<std::size_t>(j + 1);
+    const In* __restrict p = u[pressure] + q;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int component = static_cast<int>(c);
+      const In* __restrict x = u[component] + q;
+      const Out* __restrict rhs = f[component] + q;
+      Out* __restrict out = r[component] + q;
+      const float* __restrict a0 = m.link[c][0] + q;
+      const float* __restrict a1 = m.link[c][1] + q;
+      const float* __restrict a2 = m.link[c][2] + q;
+      const float* __restrict scale = m.row_scale[c] + q;
+      const float* __restrict x_below = m.below[c][0] + 1;
+      const float* __restrict x_above = m.above[c][0] + 1;
+      const Out y_below = m.below[c][1][jj];
+      const Out y_above = m.above[c][1][jj];
+      const Out z_below = m.below[c][2][kk];
+      const Out z_above = m.above[c][2][kk];
+      if (component == u_x) {
+        const float* __restrict g = m.gradient[0] + 1;
+        for (std::size_t i = 0; i < n; ++i) {
+          const Out viscous =
+              Out(a0[i]) * (Out(x_below[i]) * Out(x[i - 1]) + Out(x_above[i]) * Out(x[i + 1])) +
+              Out(a1[i]) * (y_below * Out((x - sy)[i]) + y_above * Out((x + sy)[i])) +
+              Out(a2[i]) * (z_below * Out((x - sz)[i]) + z_above * Out((x + sz)[i]));
+          out[i] = rhs[i] - d * Out(x[i]) + viscous -
+                   Out(scale[i]) * Out(g[i]) * (Out(p[i]) - Out(p[i - 1]));
+        }
+      } else {
+        const std::ptrdiff_t s = component == u_y ? sy : sz;
+        const Out g = m.gradient[c][component == u_y ? jj : kk];
+        const In* __restrict p_below = p - s;
+        for (std::size_t i = 0; i < n; ++i) {
+          const Out viscous =
+              Out(a0[i]) * (Out(x_below[i]) * Out(x[i - 1]) + Out(x_above[i]) * Out(x[i + 1])) +
+              Out(a1[i]) * (y_below * Out((x - sy)[i]) + y_above * Out((x + sy)[i])) +
+              Out(a2[i]) * (z_below * Out((x - sz)[i]) + z_above * Out((x + sz)[i]));
+          out[i] = rhs[i] - d * Out(x[i]) + viscous -
+                   Out(scale[i]) * g * (Out(p[i]) - Out(p_below[i]));
+        }
+      }
+    }
+    const In* __restrict ux = u[u_x] + q;
+    const In* __restrict uy = u[u_y] + q;
+    const In* __restrict uz = u[u_z] + q;
+    const Out* __restrict rhs = f[pressure] + q;
+    Out* __restrict out = r[pressure] + q;
+    const float* __restrict dx = m.divergence[0] + 1;
+    const Out dy = m.divergence[1][jj];
+    const Out dz = m.divergence[2][kk];
+    for (std::size_t i = 0; i < n; ++i) {
+      out[i] = rhs[i] - (Out(dx[i]) * (Out(ux[i + 1]) - Out(ux[i])) +
+                         dy * (Out((uy + sy)[i]) - Out(uy[i])) +
+                         dz * (Out((uz + sz)[i]) - Out(uz[i])));
+    }
+  }
+}
+
+PORECLOG_CLONES void schur_start_plane(const LevelView& m, const Fields<float>& r,
+                                       float alpha, float omega, float* b, float* q, int k) {
+  const std::ptrdiff_t sy = m.stride_y;
+  const std::ptrdiff_t sz = m.stride_z;
+  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const float inverse = static_cast<float>(1.0 / m.diagonal);
+  for (int j = 0; j < m.end[1]; ++j) {
+    const std::size_t at = row_begin(m, j, k);
+    const float* __restrict rx = r[u_x] + at;
+    const float* __restrict ry = r[u_y] + at;
+    const float* __restrict rz = r[u_z] + at;
+    const float* __restrict rp = r[pressure] + at;
+    const float* __restrict scale = m.cell_scale + at;
+    const float* __restrict dx = m.divergence[0] + 1;
+    const float dy = inverse * m.divergence[1][static_cast<std::size_t>(j + 1)];
+    const float dz = inverse * m.divergence[2][static_cast<std::size_t>(k + 1)];
+    float* __restrict rhs = b + at;
+    float* __restrict out = q + at;
+    for (std::size_t i = 0; i < n; ++i) {
+      const float value = inverse * dx[i] * (rx[i + 1] - rx[i]) +
+                          dy * ((ry + sy)[i] - ry[i]) + dz * ((rz + sz)[i] - rz[i]) -
+                          alpha * rp[i];
+      rhs[i] = value;
+      out[i] = -omega * value * scale[i];
+    }
+  }
+}
+
+PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float omega,
+                                      const float* q, float* q_new, int k) {
+  const std::ptrdiff_t sy = m.stride_y;
+  const std::ptrdiff_t sz = m.stride_z;
+  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const float inverse = static_cast<float>(1.0 / m.diagonal);
+  const auto kk = static_cast<std::size_t>(k + 1);
+  for (int j = 0; j < m.end[1]; ++j) {
+    const std::size_t at = row_begin(m, j, k);
+    const auto jj = static_cast<std::size_t>(j + 1);
+    const float* __restrict old = q + at;
+    const float* __restrict rhs = b + at;
+    float* __restrict out = q_new + at;
+    const float* __restrict sx = m.row_scale[0] + at;
+    const float* __restrict sv = m.row_scale[1] + at;
+    const float* __restrict sw = m.row_scale[2] + at;
+    const float* __restrict scale = m.cell_scale + at;
+    const float* __restrict dx = m.divergence[0] + 1;
+    const float* __restrict gx = m.gradient[0] + 1;
+    const float dy = inverse * m.divergence[1][jj];
+    const float dz = inverse * m.divergence[2][kk];
+    const float gy0 = dy * m.gradient[1][jj];
+    const float gy1 = dy * m.gradient[1][jj + 1];
+    const float gz0 = dz * m.gradient[2][kk];
+    const float gz1 = dz * m.gradient[2][kk + 1];
+    for (std::size_t i = 0; i < n; ++i) {
+      const float here = old[i];
+      const float applied =
+          inverse * dx[i] *
+              (gx[i + 1] * sx[i + 1] * (old[i + 1] - here) -
+               gx[i] * sx[i] * (here - old[i - 1])) +
+          gy1 * (sv + sy)[i] * ((old + sy)[i] - here) -
+          gy0 * sv[i] * (here - (old - sy)[i]) +
+          gz1 * (sw + sz)[i] * ((old + sz)[i] - here) -
+          gz0 * sw[i] * (here - (old - sz)[i]);
+      out[i] = here - omega * (rhs[i] - applied) * scale[i];
+    }
+  }
+}
+
+PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
+                                   const float* q, float alpha, Fields<float>& u, int k) {
+  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const float factor = static_cast<float>(1.0 / (static_cast<double>(alpha) * m.diagonal));
+  const std::array<std::ptrdiff_t, 3> stride{1, m.stride_y, m.stride_z};
+  for (int j = 0; j < m.end[1]; ++j) {
+    const std::size_t at = row_begin(m, j, k);
+    const float* __restrict here = q + at;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float* __restrict below = here - stride[c];
+      const float* __restrict rhs = r[static_cast<int>(c)] + at;
+      const float* __restrict scale = m.row_scale[c] + at;
+      float* __restrict x = u[static_cast<int>(c)] + at;
+      if (c == 0) {
+        const float* __restrict g = m.gradient[0] + 1;
+        for (std::size_t i = 0; i < n; ++i) {
+          x[i] += factor * (rhs[i] - scale[i] * g[i] * (here[i] - below[i]));
+        }
+      } else {
+        const float g = m.gradient[c][static_cast<std::size_t>((c == 1 ? j : k) + 1)];
+        for (std::size_t i = 0; i < n; ++i) {
+          x[i] += factor * (rhs[i] - scale[i] * g * (here[i] - below[i]));
+        }
+      }
+    }
+    float* __restrict p = u[pressure] + at;
+    for (std::size_t i = 0; i < n; ++i) {
+      p[i] += here[i];
+    }
+  }
+}
+
+template <class A, class B>
+PORECLOG_CLONES double dot_plane(const LevelView& m, const Fields<A>& a, const Fields<B>& b,
+                                 int k) {
+  constexpr std::size_t kLanes = 8;
+  std::array<double, kLanes> sum{};
+  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  for (int c = 0; c < 4; ++c) {
+    for (int j = 0; j < m.end[1]; ++j) {
+      const std::size_t at = row_begin(m, j, k);
+      const A* __restrict x = a[c] + at;
+      const B* __restrict y = b[c] + at;
+      std::size_t i = 0;
+      for (; i + kLanes <= n; i += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          sum[lane] += static_cast<double>(x[i + lane]) * static_cast<double>(y[i + lane]);
+        }
+      }
+      for (; i < n; ++i) {
+        sum[0] += static_cast<double>(x[i]) * static_cast<double>(y[i]);
+      }
+    }
+  }
+  double total = 0.0;
+  for (double s : sum) {
+    total += s;
+  }
+  return total;
+}
+
+template <class X, class Y>
+PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const Fields<X>& x,
+                                Fields<Y>& y, int k) {
+  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  for (int c = 0; c < 4; ++c) {
+    for (int j = 0; j < m.end[1]; ++j) {
+      const std::size_t at = row_begin(m, j, k);
+      const X* __restrict in = x[c] + at;
+      Y* __restrict out = y[c] + at;
+      for (std::size_t i = 0; i < n; ++i) {
+        out[i] = static_cast<Y>(static_cast<double>(out[i]) + s * static_cast<double>(in[i]));
+      }
+    }
+  }
+}
+
+template <class X, class Y>
+PORECLOG_CLONES void scaled_copy_plane(const LevelView& m, double s, const Fields<X>& x,
+                                       Fields<Y>& y, int k) {
+  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  for (int c = 0; c < 4; ++c) {
+    for (int j = 0; j < m.end[1]; ++j) {
+      const std::size_t at = row_begin(m, j, k);
+      const X* __restrict in = x[c] + at;
+      Y* __restrict out = y[c] + at;
+      for (std::size_t i = 0; i < n; ++i) {
+        out[i] = static_cast<Y>(s * static_cast<double>(in[i]));
+      }
+    }
+  }
+}
+
+using F = Fields<float>;
+using D = Fields<double>;
+
+template void residual_plane(const LevelView&, const F&, const F&, F&, int);
+template void residual_plane(const LevelView&, const D&, const D&, D&, int);
+template void residual_plane(const LevelView&, const F&, const D&, D&, int);
+template double dot_plane(const LevelView&, const D&, const F&, int);
+template double dot_plane(const LevelView&, const D&, const D&, int);
+template void axpy_plane(const LevelView&, double, const F&, D&, int);
+template void scaled_copy_plane(const LevelView&, double, const D&, F&, int);
+template void scaled_copy_plane(const LevelView&, double, const F&, F&, int);
+
+}  // namespace colloid

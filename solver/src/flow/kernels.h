@@ -1,0 +1,42 @@
+// The loops in which the solver spends its time.  Each works on the plane k = const of one
+// level, so callers may hand planes to threads; no result depends on who does which plane.
+// Halos must be filled (halo.h).  Symbols as in MODEL section F: L the scaled viscous
+// operator, G the gradient, D the divergence, S the row scales, d the common diagonal.
+#pragma once
+
+#include "flow/level.h"
+
+namespace colloid {
+
+/// r = f - (d u - L u + S G p),  r_p = f_p - D u.                                   (F9)
+/// Of `u` the planes k-1 .. k+1 are read.
+template <class In, class Out>
+void residual_plane(const LevelView& m, const Fields<In>& u, const Fields<Out>& f,
+                    Fields<Out>& r, int k);
+
+/// First step of the pressure of a Braess-Sarazin sweep: b = D r/d - alpha r_p, and one
+/// Jacobi step from zero, q = -omega b / diag.                                      (F12)
+void schur_start_plane(const LevelView& m, const Fields<float>& r, float alpha, float omega,
+                       float* b, float* q, int k);
+
+/// A Jacobi step on D S G q / d = b.                                                (F13)
+void schur_step_plane(const LevelView& m, const float* b, float omega, const float* q,
+                      float* q_new, int k);
+
+/// u += (r - S G q) / (alpha d),  p += q.                                           (F14)
+void correct_plane(const LevelView& m, const Fields<float>& r, const float* q, float alpha,
+                   Fields<float>& u, int k);
+
+/// Sum of a_i b_i over one plane, accumulated in double in a fixed order.
+template <class A, class B>
+double dot_plane(const LevelView& m, const Fields<A>& a, const Fields<B>& b, int k);
+
+/// y += s x on one plane.
+template <class X, class Y>
+void axpy_plane(const LevelView& m, double s, const Fields<X>& x, Fields<Y>& y, int k);
+
+/// y = s x on one plane.
+template <class X, class Y>
+void scaled_copy_plane(const LevelView& m, double s, const Fields<X>& x, Fields<Y>& y, int k);
+
+}  // namespace colloid

@@ -1,0 +1,71 @@
+// Geometric multigrid for the Stokes system: an approximate inverse in single precision.
+//
+// Smoother: the inexact Braess-Sarazin sweep (Braess & Sarazin 1997; He & MacLachlan 2018,
+// "Local Fourier analysis of block-structured multigrid relaxation schemes for the Stokes
+// equations").  Velocities take a Jacobi step; a pressure that keeps them divergence-free
+// comes from a few Jacobi steps on D C^-1 G, C the diagonal of the momentum rows:
+//
+//     [ alpha C   S G ] [du]   [ r   ]
+//     [   D        0  ] [dp] = [ r_p ]                                         MODEL (F11)
+//
+// Two alphas in turn damp like two Chebyshev steps.  Chosen against the cell-wise diagonal
+// Vanka smoother, which needs fewer sweeps but couples neighbours in sequence: Jacobi steps
+// run at the speed of memory, in any order, on any number of threads, with one result.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "flow/level.h"
+#include "flow/transfer.h"
+
+namespace colloid {
+
+struct CycleOptions {
+  int sweeps_before = 2;
+  int sweeps_after = 2;
+  int coarsest_sweeps = 12;
+  std::array<float, 2> alpha{0.8F, 1.8F};  ///< of even and odd sweeps [-]
+  int schur_steps = 3;
+  std::array<float, 4> omega{0.8F, 0.8F, 0.8F, 0.8F};  ///< Jacobi factors of the pressure
+};
+
+class Multigrid {
+ public:
+  /// `finest` must outlive this.  Coarser levels are made from its grid and `spheres`.
+  Multigrid(const WallRows& finest, const FlowFaces& faces,
+            const std::vector<Sphere>& spheres, const CycleOptions& options, int threads);
+
+  /// One V-cycle from zero: z = approximately M^-1 r.  r and z on the finest level.
+  void apply(const Fields<float>& r, Fields<float>& z);
+
+  /// A sphere was added to the finest level: do the same to the others.
+  void add(const std::vector<Sphere>& spheres);
+
+  std::size_t level_count() const { return levels_.size(); }
+
+  /// One smoothing sweep on the finest level of u for the right-hand side f.
+  void smooth(Fields<float>& u, const Fields<float>& f, bool from_zero, int sweep);
+
+ private:
+  struct Level {
+    std::unique_ptr<WallRows> rows;  ///< empty on the finest level
+    const WallRows* walls = nullptr;
+    LevelView view;
+    Fields<float> u, f, r;
+    std::vector<float> b, q, q_next;
+    LevelTransfer transfer;  ///< to the next coarser level
+  };
+
+  void sweep(Level& level, const Fields<float>& f, Fields<float>& u, bool from_zero,
+             int number);
+  void cycle(std::size_t index, const Fields<float>& f, Fields<float>& u);
+  void residual(Level& level, Fields<float>& u, const Fields<float>& f);
+
+  CycleOptions options_;
+  int threads_ = 1;
+  std::vector<Level> levels_;
+};
+
+}  // namespace colloid

@@ -1,0 +1,230 @@
+#include "flow/transfer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace colloid {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool is_coarsened(const Grid& fine, const Grid& coarse, int axis) {
+  return coarse.cells[at(axis)] != fine.cells[at(axis)];
+}
+
+LineTransfer identity(int count) {
+  LineTransfer t;
+  for (int i = 0; i < count; ++i) {
+    t.near.push_back(i);
+    t.far.push_back(i);
+    t.near_part.push_back(1.0F);
+    t.far_part.push_back(0.0F);
+    t.first.push_back(i);
+    t.part.push_back({1.0F, 0.0F, 0.0F});
+  }
+  return t;
+}
+
+// Faces: coarse face I is fine face 2I (the last one is the last).
+LineTransfer face_line(const Grid& fine, const Grid& coarse, int axis) {
+  const auto& w = fine.width[at(axis)];
+  const int n = fine.cells[at(axis)];
+  const int count = coarse.cells[at(axis)];
+  const bool periodic = fine.periodic[at(axis)];
+  LineTransfer t;
+  for (int i = 0; i <= n; ++i) {
+    const bool shared = i % 2 == 0 || i == n;
+    const int below = i == n ? count : i / 2;
+    t.near.push_back(below);
+    t.far.push_back(shared ? below : below + 1);
+    const double share =
+        shared ? 1.0 : w[at(i)] / (w[at(i - 1)] + w[at(i)]);
+    t.near_part.push_back(static_cast<float>(share));
+    t.far_part.push_back(static_cast<float>(1.0 - share));
+  }
+  const auto width_at = [&](int i) { return w[at((i + n) % n)]; };
+  for (int coarse_face = 0; coarse_face <= count; ++coarse_face) {
+    const int i = coarse_face == count ? n : 2 * coarse_face;
+    const bool has_below = periodic || i > 0;
+    const bool has_above = periodic || i < n;
+    // A coarse cell of one fine cell has no fine face inside it.
+    const int last_single = n % 2 == 1 ? n - 1 : -2;
+    const bool pair_below = has_below && (i + n - 1) % n != last_single;
+    const bool pair_above = has_above && i % n != last_single;
+    const double own = 0.5 * ((has_below ? width_at(i - 1) : 0.0) +
+                              (has_above ? width_at(i) : 0.0));
+    const double below = pair_below ? 0.5 * width_at(i - 2) : 0.0;
+    const double above = pair_above ? 0.5 * width_at(i + 1) : 0.0;
+    const double sum = own + below + above;
+    t.first.push_back(i - 1);
+    t.part.push_back({static_cast<float>(below / sum), static_cast<float>(own / sum),
+                      static_cast<float>(above / sum)});
+  }
+  return t;
+}
+
+LineTransfer centre_line(const Grid& fine, const Grid& coarse, int axis,
+                         const AxisStencil& stencil, bool inject) {
+  const int n = fine.cells[at(axis)];
+  const int count = coarse.cells[at(axis)];
+  const auto& W = coarse.width[at(axis)];
+  const auto& w = fine.width[at(axis)];
+  LineTransfer t;
+  for (int i = 0; i < n; ++i) {
+    const int parent = i / 2;
+    const double offset = fine.centre(axis, i) - coarse.centre(axis, parent);
+    const int other = parent + (offset > 0.0 ? 1 : -1);
+    double share = 1.0;
+    if (!inject && offset != 0.0) {
+      const bool inside = fine.periodic[at(axis)] || (other >= 0 && other < count);
+      if (inside) {
+        const double distance =
+            0.5 * (W[at(parent)] + W[at((other + count) % count)]);
+        share = 1.0 - std::abs(offset) / distance;
+      } else {
+        const Side side = offset > 0.0 ? stencil.at_centre.back().side_above
+                                       : stencil.at_centre.front().side_below;
+        const double to_wall = 0.5 * W[at(parent)];
+        share = side == Side::given_velocity ? 1.0 - std::abs(offset) / to_wall : 1.0;
+      }
+      t.far.push_back(inside ? other : parent);
+      t.far_part.push_back(inside ? static_cast<float>(1.0 - share) : 0.0F);
+    } else {
+      t.far.push_back(parent);
+      t.far_part.push_back(0.0F);
+    }
+    t.near.push_back(parent);
+    t.near_part.push_back(static_cast<float>(share));
+  }
+  for (int I = 0; I < count; ++I) {
+    const bool pair = 2 * I + 1 < n;
+    const double first = w[at(2 * I)] / W[at(I)];
+    t.first.push_back(2 * I);
+    t.part.push_back(
+        {static_cast<float>(first), pair ? static_cast<float>(1.0 - first) : 0.0F, 0.0F});
+  }
+  return t;
+}
+
+const LineTransfer& line(const LevelTransfer& t, int component, int axis) {
+  if (component == pressure) {
+    return t.cell[at(axis)];
+  }
+  return component == axis ? t.face[at(axis)] : t.centre[at(axis)];
+}
+
+std::size_t row_begin(const LevelView& m, int j, int k) {
+  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(m.origin) + j * m.stride_y +
+                                  k * m.stride_z);
+}
+
+const float* openness(const LevelView& m, int component) {
+  return component == pressure ? m.cell_scale : m.row_scale[at(component)];
+}
+
+}  // namespace
+
+LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
+                            const std::array<AxisStencil, 3>& fine_axes) {
+  LevelTransfer t;
+  for (int a = 0; a < 3; ++a) {
+    if (is_coarsened(fine, coarse, a)) {
+      t.face[at(a)] = face_line(fine, coarse, a);
+      t.centre[at(a)] = centre_line(fine, coarse, a, fine_axes[at(a)], false);
+      t.cell[at(a)] = centre_line(fine, coarse, a, fine_axes[at(a)], true);
+    } else {
+      t.face[at(a)] = identity(fine.cells[at(a)] + 1);
+      t.centre[at(a)] = identity(fine.cells[at(a)]);
+      t.cell[at(a)] = t.centre[at(a)];
+    }
+  }
+  return t;
+}
+
+void restrict_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
+                    const Fields<float>& r_fine, Fields<float>& f_coarse, int K) {
+  std::vector<float> sum(at(fine.end[0] + 4));
+  for (int c = 0; c < 4; ++c) {
+    const LineTransfer& x = line(t, c, 0);
+    const LineTransfer& y = line(t, c, 1);
+    const LineTransfer& z = line(t, c, 2);
+    if (at(K) >= z.first.size()) {
+      continue;
+    }
+    for (int J = 0; at(J) < y.first.size() && J < coarse.end[1]; ++J) {
+      // sum[i + 1] over the fine rows of this coarse one, i = -1 .. end
+      std::fill(sum.begin(), sum.end(), 0.0F);
+      for (std::size_t b = 0; b < 3; ++b) {
+        for (std::size_t a = 0; a < 3; ++a) {
+          const float weight = z.part[at(K)][b] * y.part[at(J)][a];
+          if (weight == 0.0F) {
+            continue;
+          }
+          const float* row = r_fine[c] + row_begin(fine, y.first[at(J)] + static_cast<int>(a),
+                                                   z.first[at(K)] + static_cast<int>(b)) - 1;
+          const std::size_t n = at(fine.end[0] + 2);
+          for (std::size_t i = 0; i < n; ++i) {
+            sum[i] += weight * row[i];
+          }
+        }
+      }
+      const std::size_t q = row_begin(coarse, J, K);
+      float* out = f_coarse[c] + q;
+      const float* open = openness(coarse, c) + q;
+      const std::size_t count =
+          std::min(x.first.size(), at(coarse.end[0]));
+      for (std::size_t I = 0; I < count; ++I) {
+        const float* s = sum.data() + x.first[I] + 1;
+        const float value =
+            x.part[I][0] * s[0] + x.part[I][1] * s[1] + x.part[I][2] * s[2];
+        out[I] = open[I] > 0.0F ? value : 0.0F;
+      }
+    }
+  }
+}
+
+void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
+                   const Fields<float>& u_coarse, Fields<float>& u_fine, int k) {
+  std::vector<float> sum(at(coarse.end[0] + 3));
+  for (int c = 0; c < 4; ++c) {
+    const LineTransfer& x = line(t, c, 0);
+    const LineTransfer& y = line(t, c, 1);
+    const LineTransfer& z = line(t, c, 2);
+    if (at(k) >= z.near.size()) {
+      continue;
+    }
+    const std::array<int, 2> kk{z.near[at(k)], z.far[at(k)]};
+    const std::array<float, 2> wk{z.near_part[at(k)], z.far_part[at(k)]};
+    for (int j = 0; at(j) < y.near.size() && j < fine.end[1]; ++j) {
+      const std::array<int, 2> jj{y.near[at(j)], y.far[at(j)]};
+      const std::array<float, 2> wj{y.near_part[at(j)], y.far_part[at(j)]};
+      std::fill(sum.begin(), sum.end(), 0.0F);
+      const std::size_t n = at(coarse.end[0] + 2);
+      for (std::size_t b = 0; b < 2; ++b) {
+        for (std::size_t a = 0; a < 2; ++a) {
+          const float weight = wk[b] * wj[a];
+          if (weight == 0.0F) {
+            continue;
+          }
+          const float* row = u_coarse[c] + row_begin(coarse, jj[a], kk[b]) - 1;
+          for (std::size_t i = 0; i < n; ++i) {
+            sum[i] += weight * row[i];
+          }
+        }
+      }
+      const std::size_t q = row_begin(fine, j, k);
+      float* out = u_fine[c] + q;
+      const float* open = openness(fine, c) + q;
+      const float* s = sum.data() + 1;
+      const std::size_t count = std::min(x.near.size(), at(fine.end[0]));
+      for (std::size_t i = 0; i < count; ++i) {
+        const float value =
+            x.near_part[i] * s[x.near[i]] + x.far_part[i] * s[x.far[i]];
+        out[i] += open[i] > 0.0F ? value : 0.0F;
+      }
+    }
+  }
+}
+
+}  // namespace colloid

@@ -1,0 +1,43 @@
+// Residuals to the next coarser level, corrections back from it.
+//
+// Restriction averages fine residuals over the control volume of the coarse unknown.
+// Velocity corrections are interpolated linearly along every axis, the pressure's is copied
+// from the parent cell.  Weights are one-dimensional; narrow last cells and axes that are
+// not coarsened are in them.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "flow/level.h"
+
+namespace colloid {
+
+/// Weights between two levels along one axis, for unknowns at faces or at centres.
+struct LineTransfer {
+  std::vector<int> near;         ///< fine index -> a coarse index
+  std::vector<int> far;          ///< fine index -> the other coarse index
+  std::vector<float> near_part;  ///< their weights
+  std::vector<float> far_part;
+  std::vector<int> first;                        ///< coarse index -> first fine index
+  std::vector<std::array<float, 3>> part;        ///< weights of first, first+1, first+2
+};
+
+struct LevelTransfer {
+  std::array<LineTransfer, 3> face;    ///< per axis
+  std::array<LineTransfer, 3> centre;  ///< per axis, velocities
+  std::array<LineTransfer, 3> cell;    ///< per axis, pressure
+};
+
+LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
+                            const std::array<AxisStencil, 3>& fine_axes);
+
+/// f_coarse = averages of r_fine on the coarse plane K; zero in closed rows and cells.
+void restrict_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
+                    const Fields<float>& r_fine, Fields<float>& f_coarse, int K);
+
+/// u_fine += interpolation of u_coarse on the fine plane k, in open rows and cells.
+void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
+                   const Fields<float>& u_coarse, Fields<float>& u_fine, int k);
+
+}  // namespace colloid
