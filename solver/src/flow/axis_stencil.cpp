@@ -36,12 +36,12 @@ AxisStencil make_axis_stencil(const Grid& grid, int axis, Kind lower, Kind upper
   AxisStencil s;
   s.at_face.resize(n + 1);
   s.at_centre.resize(n);
-  s.face_below.assign(n + 2, 0.0F);
-  s.face_above.assign(n + 2, 0.0F);
-  s.centre_below.assign(n + 2, 0.0F);
-  s.centre_above.assign(n + 2, 0.0F);
-  s.gradient.assign(n + 2, 0.0F);
-  s.divergence.assign(n + 2, 0.0F);
+  s.face_below.assign(n + 3, 0.0F);
+  s.face_above.assign(n + 3, 0.0F);
+  s.centre_below.assign(n + 3, 0.0F);
+  s.centre_above.assign(n + 3, 0.0F);
+  s.gradient.assign(n + 3, 0.0F);
+  s.divergence.assign(n + 3, 0.0F);
 
   for (std::size_t i = 0; i <= n; ++i) {
     const bool first = i == 0 && !periodic;

@@ -33,7 +33,7 @@ struct SecondDifference {
   }
 };
 
-/// Weights along one axis, ready for the kernels.  Arrays run over -1 .. n.
+/// Weights along one axis, ready for the kernels.  Arrays run over -1 .. n + 1.
 struct AxisStencil {
   std::vector<SecondDifference> at_face;    ///< component along the axis, faces 0 .. n
   std::vector<SecondDifference> at_centre;  ///< other components, cells 0 .. n - 1

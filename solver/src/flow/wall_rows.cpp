@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "flow/halo.h"
 #include "flow/wall_moment.h"
@@ -12,6 +13,7 @@ namespace colloid {
 namespace {
 
 constexpr std::int32_t kNone = -1;
+// Deep inside image m the list holds kSolid - m instead.
 constexpr std::int32_t kSolid = -2;
 
 // A face that two surfaces cut is measured by sampling; 4 x 4 points.
@@ -118,13 +120,13 @@ void WallRows::collect(std::int32_t index, int component) {
     for (int j = box.begin[1]; j < box.end[1]; ++j) {
       for (int i = box.begin[0]; i < box.end[0]; ++i) {
         const std::size_t q = grid_.index(i, j, k);
-        if (head[q] == kSolid) {
+        if (head[q] <= kSolid) {
           continue;
         }
         const Vec3 e = grid_.location(component, i, j, k) - image.center;
         const double square = dot(e, e);
         if (square < inner) {
-          head[q] = kSolid;
+          head[q] = kSolid - index;
         } else if (square < outer) {
           candidates_.push_back({index, head[q]});
           head[q] = static_cast<std::int32_t>(candidates_.size() - 1);
@@ -189,7 +191,7 @@ void WallRows::make_rows(const IndexBox& box, int component) {
       for (int i = box.begin[0]; i < box.end[0]; ++i) {
         const std::size_t q = grid_.index(i, j, k);
         const std::array<int, 3> at{i, j, k};
-        if (head[q] == kSolid || on_given_face(component, at)) {
+        if (head[q] <= kSolid || on_given_face(component, at)) {
           close(component, q);
         } else if (head[q] == kNone) {
           regular_row(component, at);
@@ -348,27 +350,24 @@ void WallRows::open_subgrid(int component, std::size_t face, double conductance)
 }
 
 NearestSurface WallRows::nearest(int component, int i, int j, int k) const {
-  const std::size_t q = grid_.index(i, j, k);
   const Vec3 x = grid_.location(component, i, j, k);
   NearestSurface found;
-  found.distance = 1e300;
-  const std::int32_t head = head_[static_cast<std::size_t>(component)][q];
-  if (head == kSolid) {
-    for (const Image& image : images_) {
-      const double d = norm(x - image.center) - image.radius;
-      if (d < found.distance) {
-        found = {image.sphere, d};
-      }
+  found.distance = std::numeric_limits<double>::max();
+  const auto consider = [&](std::int32_t index) {
+    const Image& image = images_[static_cast<std::size_t>(index)];
+    const Vec3 e = x - image.center;
+    const double distance = norm(e) - image.radius;
+    if (distance < found.distance) {
+      found = {image.sphere, distance, e};
     }
+  };
+  std::int32_t m = head_[static_cast<std::size_t>(component)][grid_.index(i, j, k)];
+  if (m <= kSolid) {
+    consider(kSolid - m);
     return found;
   }
-  for (std::int32_t m = head; m != kNone; m = candidates_[static_cast<std::size_t>(m)].next) {
-    const Image& image =
-        images_[static_cast<std::size_t>(candidates_[static_cast<std::size_t>(m)].image)];
-    const double d = norm(x - image.center) - image.radius;
-    if (d < found.distance) {
-      found = {image.sphere, d};
-    }
+  for (; m != kNone; m = candidates_[static_cast<std::size_t>(m)].next) {
+    consider(candidates_[static_cast<std::size_t>(m)].image);
   }
   return found;
 }

@@ -37,8 +37,9 @@ struct Coefficients {
 
 /// A surface's part in a face, for sharing out forces.
 struct NearestSurface {
-  int sphere = -1;       ///< index into the spheres, -1 where none is near
+  int sphere = -1;        ///< index into the spheres, -1 where none is near
   double distance = 0.0;  ///< signed, grid units
+  Vec3 from_center;       ///< from the sphere's (image's) centre, grid units
 };
 
 class WallRows {

@@ -1,0 +1,207 @@
+#include "flow/connectivity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/constants.h"
+
+namespace colloid {
+
+namespace {
+
+constexpr int kScan = 12;      // points per side of a face in the first look for a clearance
+constexpr int kRefinements = 40;  // halvings of the pattern search around the best point
+
+struct ClosedFace {
+  double clearance;
+  int component;
+  std::size_t face, below, above;
+};
+
+// Calls visit(component, face, cell below, cell above) for every face between two cells.
+template <class Visit>
+void for_inner_faces(const Grid& grid, const Visit& visit) {
+  for (int c = 0; c < 3; ++c) {
+    const auto s = static_cast<std::size_t>(c);
+    for (int k = 0; k < grid.cells[2]; ++k) {
+      for (int j = 0; j < grid.cells[1]; ++j) {
+        for (int i = 0; i < grid.cells[0]; ++i) {
+          std::array<int, 3> at{i, j, k};
+          const std::size_t face = grid.index(i, j, k);
+          if (at[s] == 0 && !grid.periodic[s]) {
+            continue;
+          }
+          at[s] = (at[s] + grid.cells[s] - 1) % grid.cells[s];
+          visit(c, std::array<int, 3>{i, j, k}, face, grid.index(at[0], at[1], at[2]));
+        }
+      }
+    }
+  }
+}
+
+// Distance from x to the nearest of the spheres, periodic images included.
+double distance_to(const std::vector<Sphere>& spheres, const Grid& grid, const Vec3& x) {
+  double nearest = 1e300;
+  for (const Sphere& s : spheres) {
+    Vec3 e = x - s.center;
+    for (int a = 0; a < 3; ++a) {
+      const auto p = static_cast<std::size_t>(a);
+      if (grid.periodic[p]) {
+        const double length = grid.position[p].back();
+        e[a] -= length * std::round(e[a] / length);
+      }
+    }
+    nearest = std::min(nearest, norm(e) - s.radius);
+  }
+  return nearest;
+}
+
+// Largest distance to the surfaces over a face.
+double face_clearance(const std::vector<Sphere>& spheres, const Grid& grid, int component,
+                      const std::array<int, 3>& at) {
+  const int t1 = (component + 1) % 3;
+  const int t2 = (component + 2) % 3;
+  const Vec3 centre = grid.location(component, at[0], at[1], at[2]);
+  const auto half = [&](int t) {
+    const auto s = static_cast<std::size_t>(t);
+    return 0.5 * grid.width[s][static_cast<std::size_t>(at[s])];
+  };
+  // Only surfaces that reach the face matter.
+  std::vector<Sphere> near;
+  const double radius = std::hypot(half(t1), half(t2));
+  for (const Sphere& s : spheres) {
+    if (distance_to({s}, grid, centre) < 3.0 * radius) {
+      near.push_back(s);
+    }
+  }
+  const auto value = [&](double a, double b) {
+    Vec3 x = centre;
+    x[t1] += a * half(t1);
+    x[t2] += b * half(t2);
+    return distance_to(near, grid, x);
+  };
+  double best = -1e300;
+  double best_a = 0.0;
+  double best_b = 0.0;
+  for (int m = 0; m <= kScan; ++m) {
+    for (int n = 0; n <= kScan; ++n) {
+      const double a = 2.0 * m / kScan - 1.0;
+      const double b = 2.0 * n / kScan - 1.0;
+      const double v = value(a, b);
+      if (v > best) {
+        best = v;
+        best_a = a;
+        best_b = b;
+      }
+    }
+  }
+  double step = 2.0 / kScan;
+  for (int round = 0; round < kRefinements; ++round) {
+    bool better = false;
+    for (int m = -1; m <= 1; ++m) {
+      for (int n = -1; n <= 1; ++n) {
+        const double a = std::clamp(best_a + m * step, -1.0, 1.0);
+        const double b = std::clamp(best_b + n * step, -1.0, 1.0);
+        const double v = value(a, b);
+        if (v > best) {
+          best = v;
+          best_a = a;
+          best_b = b;
+          better = true;
+        }
+      }
+    }
+    if (!better) {
+      step *= 0.5;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Connectivity::Connectivity(const WallRows& rows) : parent_(rows.grid().size) {
+  std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  for_inner_faces(rows.grid(), [&](int c, const std::array<int, 3>&, std::size_t face,
+                                   std::size_t below) {
+    if (rows.coefficients().row_scale[static_cast<std::size_t>(c)][face] > 0.0F) {
+      join(face, below);
+    }
+  });
+}
+
+std::size_t Connectivity::label(std::size_t cell) {
+  while (parent_[cell] != cell) {
+    parent_[cell] = parent_[parent_[cell]];
+    cell = parent_[cell];
+  }
+  return cell;
+}
+
+void Connectivity::join(std::size_t a, std::size_t b) {
+  const std::size_t ra = label(a);
+  const std::size_t rb = label(b);
+  parent_[std::max(ra, rb)] = std::min(ra, rb);
+}
+
+int open_subgrid_throats(WallRows& rows, const std::vector<Sphere>& spheres,
+                         const std::vector<std::size_t>& from,
+                         const std::vector<std::size_t>& to) {
+  Connectivity regions(rows);
+  const auto joined = [&] {
+    for (std::size_t a : from) {
+      for (std::size_t b : to) {
+        if (regions.label(a) == regions.label(b)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  };
+  if (joined()) {
+    return 0;
+  }
+
+  // 1  the closed faces that are open in truth
+  const Grid& grid = rows.grid();
+  std::vector<ClosedFace> faces;
+  for_inner_faces(grid, [&](int c, const std::array<int, 3>& at, std::size_t face,
+                            std::size_t below) {
+    if (rows.coefficients().row_scale[static_cast<std::size_t>(c)][face] > 0.0F ||
+        rows.nearest(c, at[0], at[1], at[2]).distance < -1.0 * grid.width[0].front()) {
+      return;
+    }
+    const double clearance = face_clearance(spheres, grid, c, at);
+    if (clearance > 0.0) {
+      faces.push_back({clearance, c, face, below, face});
+    }
+  });
+  std::sort(faces.begin(), faces.end(), [](const ClosedFace& a, const ClosedFace& b) {
+    return a.clearance != b.clearance ? a.clearance > b.clearance
+                                      : (a.component != b.component
+                                             ? a.component < b.component
+                                             : a.face < b.face);
+  });
+
+  // 2  the widest first, until the way is open
+  int opened = 0;
+  for (const ClosedFace& f : faces) {
+    if (regions.label(f.below) == regions.label(f.above)) {
+      continue;
+    }
+    regions.join(f.below, f.above);
+    const auto c = static_cast<std::size_t>(f.component);
+    const double area =
+        grid.width[(c + 1) % 3].front() * grid.width[(c + 2) % 3].front();
+    rows.open_subgrid(f.component, f.face,
+                      kDuctConductance * std::pow(f.clearance, 4) / area);
+    ++opened;
+    if (joined()) {
+      return opened;
+    }
+  }
+  return -1;
+}
+
+}  // namespace colloid

@@ -1,0 +1,571 @@
+#include "flow/stokes_solver.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "flow/connectivity.h"
+#include "flow/fgmres.h"
+#include "flow/halo.h"
+#include "flow/kernels.h"
+
+namespace colloid {
+
+namespace {
+
+using Kind = FlowDrive::Kind;
+
+// Evaluations timed for the work unit.
+constexpr int kTimedResiduals = 3;
+
+// Transverse response, relative, below which an axis needs no force to hold its mean zero.
+constexpr double kUncoupled = 1e-9;
+constexpr double kLoosest = 0.05;  // tolerance of a sideways unit problem
+
+// Points per side at which a face of the inlet is sampled for its open part.
+constexpr int kInletSamples = 16;
+
+// Part of an inlet's width, next to a wall, left out of its mean pressure.
+constexpr double kCoreMargin = 0.25;
+
+double now() {
+  return std::chrono::duration<double>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+FlowFaces make_faces(const StokesProblem& problem, double pressure_unit) {
+  FlowFaces faces;
+  for (std::size_t f = 0; f < kFaces; ++f) {
+    FlowFace& face = faces[f];
+    const int axis = axis_of(static_cast<int>(f));
+    const bool upper = is_upper(static_cast<int>(f));
+    switch (problem.box.faces[f]) {
+      case FaceCondition::wall:
+        if (problem.drive.kind == Kind::shear_rate && f == z_plus) {
+          face.velocity.x = problem.drive.shear_rate * problem.box.size.z;
+        }
+        break;
+      case FaceCondition::inlet:
+        if (problem.drive.kind == Kind::inlet_velocity) {
+          face.velocity[axis] = (upper ? -1.0 : 1.0) * problem.drive.inlet_velocity;
+        } else {
+          face.kind = FlowFace::Kind::pressure;
+          face.pressure = problem.drive.pressure_drop / pressure_unit;
+        }
+        break;
+      case FaceCondition::outlet:
+        face.kind = FlowFace::Kind::pressure;
+        break;
+      case FaceCondition::periodic:
+        face.kind = FlowFace::Kind::periodic;
+        break;
+      case FaceCondition::symmetry:
+        face.kind = FlowFace::Kind::symmetry;
+        break;
+    }
+  }
+  return faces;
+}
+
+// Calls visit(i, j, k) with the indices of the faces on one face of the box, the index of
+// the face along its axis included.
+template <class Visit>
+void for_boundary(const Grid& grid, int face, const Visit& visit) {
+  const int axis = axis_of(face);
+  const auto a = static_cast<std::size_t>(axis);
+  const std::size_t t1 = (a + 1) % 3;
+  const std::size_t t2 = (a + 2) % 3;
+  std::array<int, 3> at{};
+  at[a] = is_upper(face) ? grid.cells[a] : 0;
+  for (at[t2] = 0; at[t2] < grid.cells[t2]; ++at[t2]) {
+    for (at[t1] = 0; at[t1] < grid.cells[t1]; ++at[t1]) {
+      visit(at);
+    }
+  }
+}
+
+std::size_t inner_cell(const Grid& grid, int face, std::array<int, 3> at) {
+  if (is_upper(face)) {
+    --at[static_cast<std::size_t>(axis_of(face))];
+  }
+  return grid.index(at[0], at[1], at[2]);
+}
+
+}  // namespace
+
+StokesSolver::StokesSolver(const StokesProblem& problem, const StokesOptions& options)
+    : problem_(problem), options_(options) {
+  length_ = std::numeric_limits<double>::max();
+  for (int a = 0; a < 3; ++a) {
+    length_ = std::min(length_,
+                       problem_.box.size[a] / problem_.cells[static_cast<std::size_t>(a)]);
+  }
+  build();
+}
+
+void StokesSolver::build() {
+  const double start = now();
+  faces_ = make_faces(problem_, pressure_unit());
+  std::array<bool, 3> periodic{};
+  for (int a = 0; a < 3; ++a) {
+    periodic[static_cast<std::size_t>(a)] = problem_.box.periodic(a);
+  }
+  for (const Sphere& s : problem_.spheres) {
+    grid_spheres_.push_back({s.center * (1.0 / length_), s.radius / length_});
+  }
+  rows_ = std::make_unique<WallRows>(
+      make_grid(problem_.box.size * (1.0 / length_), problem_.cells, periodic), faces_);
+  rows_->add(grid_spheres_);
+  connect();
+  multigrid_ = std::make_unique<Multigrid>(*rows_, faces_, grid_spheres_, CycleOptions{},
+                                           options_.threads);
+  const std::size_t size = rows_->grid().size;
+  x_ = Fields<double>(size);
+  flow_ = Fields<double>(size);
+  make_lift();
+  statistics_.setup_seconds = now() - start;
+}
+
+void StokesSolver::add_spheres(const std::vector<Sphere>& spheres) {
+  const double start = now();
+  std::vector<Sphere> added;
+  for (const Sphere& s : spheres) {
+    problem_.spheres.push_back(s);
+    added.push_back({s.center * (1.0 / length_), s.radius / length_});
+    grid_spheres_.push_back(added.back());
+  }
+  rows_->add(added);
+  connect();
+  multigrid_->add(added);
+  make_lift();
+  // Velocities that the new surface closed are zero from now on.
+  const auto clear = [&](Fields<double>& x) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto& open = rows_->coefficients().row_scale[c];
+      for (std::size_t q = 0; q < x.a[c].size(); ++q) {
+        x.a[c][q] = open[q] > 0.0F ? x.a[c][q] : 0.0;
+      }
+    }
+  };
+  clear(x_);
+  for (auto& u : unit_) {
+    if (!u.a[0].empty()) {
+      clear(u);
+    }
+  }
+  statistics_.setup_seconds = now() - start;
+}
+
+// Every inlet with a given flux must reach an outlet.
+void StokesSolver::connect() {
+  const Grid& grid = rows_->grid();
+  inlet_open_.assign(grid.size, true);
+  statistics_.subgrid_openings = 0;
+  std::vector<std::size_t> in, out;
+  for (int f = 0; f < kFaces; ++f) {
+    for_boundary(grid, f, [&](const std::array<int, 3>& at) {
+      const std::size_t cell = inner_cell(grid, f, at);
+      if (rows_->coefficients().cell_scale[cell] <= 0.0F) {
+        return;
+      }
+      if (problem_.box.face(f) == FaceCondition::inlet) {
+        in.push_back(cell);
+      } else if (problem_.box.face(f) == FaceCondition::outlet) {
+        out.push_back(cell);
+      }
+    });
+  }
+  if (in.empty() && problem_.drive.kind != Kind::inlet_velocity) {
+    return;
+  }
+  const int opened = open_subgrid_throats(*rows_, grid_spheres_, in, out);
+  if (opened < 0) {
+    require(problem_.drive.kind != Kind::inlet_velocity, "/drive/inlet_velocity",
+            "the way from the inlet to the outlet is blocked, no flux can be held; a "
+            "pressure_drop can");
+    return;
+  }
+  statistics_.subgrid_openings = opened;
+  Connectivity regions(*rows_);
+  std::vector<bool> reaches(grid.size, false);
+  for (std::size_t cell : out) {
+    reaches[regions.label(cell)] = true;
+  }
+  for (std::size_t cell : in) {
+    inlet_open_[cell] = reaches[regions.label(cell)];
+  }
+}
+
+double StokesSolver::open_fraction(int component, const std::array<int, 3>& at) const {
+  const Grid& grid = rows_->grid();
+  const int t1 = (component + 1) % 3;
+  const int t2 = (component + 2) % 3;
+  const Vec3 centre = grid.location(component, at[0], at[1], at[2]);
+  const auto width = [&](int t) {
+    const auto s = static_cast<std::size_t>(t);
+    return grid.width[s][static_cast<std::size_t>(at[s])];
+  };
+  if (rows_->nearest(component, at[0], at[1], at[2]).distance >
+      0.5 * (width(t1) + width(t2))) {
+    return 1.0;
+  }
+  int open = 0;
+  for (int m = 0; m < kInletSamples; ++m) {
+    for (int n = 0; n < kInletSamples; ++n) {
+      Vec3 x = centre;
+      x[t1] += ((m + 0.5) / kInletSamples - 0.5) * width(t1);
+      x[t2] += ((n + 0.5) / kInletSamples - 0.5) * width(t2);
+      bool solid = false;
+      for (const Sphere& s : grid_spheres_) {
+        solid = solid || norm(x - s.center) < s.radius;
+      }
+      open += solid ? 0 : 1;
+    }
+  }
+  return static_cast<double>(open) / (kInletSamples * kInletSamples);
+}
+
+void StokesSolver::make_lift() {
+  const Grid& grid = rows_->grid();
+  lift_ = Fields<double>(grid.size);
+  for (int f = 0; f < kFaces; ++f) {
+    const FlowFace& face = faces_[static_cast<std::size_t>(f)];
+    const int axis = axis_of(f);
+    const std::ptrdiff_t beyond = grid.stride(axis) * (is_upper(f) ? 1 : -1);
+    for_boundary(grid, f, [&](const std::array<int, 3>& at) {
+      const std::size_t q = grid.index(at[0], at[1], at[2]);
+      const std::size_t cell = inner_cell(grid, f, at);
+      const auto ghost = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + beyond);
+      if (face.kind == FlowFace::Kind::pressure) {
+        lift_.a[pressure][ghost] = face.pressure;
+      } else if (face.kind == FlowFace::Kind::velocity) {
+        for (int c = 0; c < 3; ++c) {
+          if (c != axis) {
+            lift_.a[static_cast<std::size_t>(c)][ghost] = face.velocity[c];
+          } else if (face.velocity[c] != 0.0 && inlet_open_[cell] &&
+                     rows_->coefficients().cell_scale[cell] > 0.0F) {
+            lift_.a[static_cast<std::size_t>(c)][q] =
+                face.velocity[c] * open_fraction(axis, at);
+          }
+        }
+      }
+    });
+  }
+}
+
+Fields<double> StokesSolver::force_rows(const Vec3& force) const {
+  Fields<double> b(rows_->grid().size);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto& scale = rows_->coefficients().row_scale[c];
+    const double f = force[static_cast<int>(c)];
+    if (f != 0.0) {
+      for (std::size_t q = 0; q < scale.size(); ++q) {
+        b.a[c][q] = f * static_cast<double>(scale[q]);
+      }
+    }
+  }
+  return b;
+}
+
+void StokesSolver::solve_system(const Fields<double>& b, Fields<double>& x, double scale,
+                                double tolerance) {
+  const LevelView level = view(*rows_);
+  KrylovOptions krylov;
+  krylov.target = tolerance * scale;
+  krylov.max_iterations = options_.max_iterations;
+  krylov.threads = options_.threads;
+  const double start = now();
+  const KrylovStatistics found = solve_fgmres(
+      *rows_, b, x,
+      [&](const Fields<float>& r, Fields<float>& z) { multigrid_->apply(r, z); }, krylov);
+  const double seconds = now() - start;
+
+  Fields<double> r(rows_->grid().size);
+  const double begin = now();
+  for (int i = 0; i < kTimedResiduals; ++i) {
+    true_residual(*rows_, level, x, b, r, options_.threads);
+  }
+  const double residual_seconds = (now() - begin) / kTimedResiduals;
+
+  statistics_.converged = statistics_.converged && found.converged;
+  statistics_.iterations += found.iterations;
+  const double relative = scale > 0.0 ? found.residual / scale : 0.0;
+  statistics_.relative_residual =
+      std::max(statistics_.relative_residual, relative * options_.tolerance / tolerance);
+  statistics_.seconds += seconds;
+  statistics_.work_units += seconds / residual_seconds;
+  statistics_.residual_ns_per_cell =
+      1e9 * residual_seconds / static_cast<double>(rows_->grid().cell_count());
+  if (!found.converged) {
+    throw ConvergenceError(
+        "Stokes solver: residual " + std::to_string(found.residual / scale) +
+        " of the drive's after " + std::to_string(found.iterations) + " iterations, wanted " +
+        std::to_string(tolerance));
+  }
+}
+
+const StokesStatistics& StokesSolver::solve() {
+  const double setup = statistics_.setup_seconds;
+  const int openings = statistics_.subgrid_openings;
+  statistics_ = StokesStatistics{};
+  statistics_.setup_seconds = setup;
+  statistics_.subgrid_openings = openings;
+  statistics_.converged = true;
+  if (problem_.drive.kind == Kind::mean_velocity) {
+    solve_mean_velocity();
+    return statistics_;
+  }
+  if (problem_.drive.kind == Kind::body_force) {
+    grid_force_ = problem_.drive.body_force * (length_ / pressure_unit());
+  }
+
+  // b = f - M lift in open rows and cells
+  Fields<double> b(rows_->grid().size);
+  const LevelView level = view(*rows_);
+  const Fields<double> f = force_rows(grid_force_);
+  true_residual(*rows_, level, lift_, f, b, options_.threads);
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto& open = c < 3 ? rows_->coefficients().row_scale[c]
+                             : rows_->coefficients().cell_scale;
+    for (std::size_t q = 0; q < b.a[c].size(); ++q) {
+      b.a[c][q] = open[q] > 0.0F ? b.a[c][q] : 0.0;
+    }
+  }
+  solve_system(b, x_, norm(level, b, options_.threads), options_.tolerance);
+  flow_ = x_;
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t q = 0; q < flow_.a[c].size(); ++q) {
+      flow_.a[c][q] += lift_.a[c][q];
+    }
+  }
+  return statistics_;
+}
+
+void StokesSolver::solve_unit_force(int axis, double tolerance) {
+  auto& x = unit_[static_cast<std::size_t>(axis)];
+  if (x.a[0].empty()) {
+    x = Fields<double>(rows_->grid().size);
+  }
+  Vec3 force;
+  force[axis] = 1.0;
+  const Fields<double> b = force_rows(force);
+  solve_system(b, x, norm(view(*rows_), b, options_.threads), tolerance);
+}
+
+// The body force that gives the mean velocity wanted: linear, so from unit responses.  An
+// axis that is only pushed sideways needs a force smaller by the ratio of the responses,
+// and its unit problem as much less accuracy.
+void StokesSolver::solve_mean_velocity() {
+  const Vec3 wanted = problem_.drive.mean_velocity;
+  std::array<double, 3> tolerance{};  // 0: axis not used, or done
+  std::array<bool, 3> used{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const bool driven = problem_.box.periodic(static_cast<int>(a)) &&
+                        wanted[static_cast<int>(a)] != 0.0;
+    tolerance[a] = driven ? options_.tolerance : 0.0;
+    used[a] = driven;
+  }
+  Eigen::Matrix3d mobility = Eigen::Matrix3d::Identity();
+  for (bool more = true; more;) {
+    more = false;
+    for (int a = 0; a < 3; ++a) {
+      double& wanted_tolerance = tolerance[static_cast<std::size_t>(a)];
+      if (wanted_tolerance == 0.0) {
+        continue;
+      }
+      solve_unit_force(a, wanted_tolerance);
+      wanted_tolerance = 0.0;
+      const Vec3 response = mean_velocity(unit_[static_cast<std::size_t>(a)]);
+      require(response[a] > 0.0, "/drive/mean_velocity",
+              "the spheres block the way along this axis, no flux can be held");
+      for (int b = 0; b < 3; ++b) {
+        mobility(b, a) = response[b];
+        const auto s = static_cast<std::size_t>(b);
+        const double sideways = std::abs(response[b]) / response[a];
+        if (problem_.box.periodic(b) && !used[s] && sideways > kUncoupled) {
+          used[s] = true;
+          tolerance[s] = std::min(kLoosest, options_.tolerance / sideways);
+          more = true;
+        }
+      }
+    }
+  }
+  Eigen::Vector3d target(0.0, 0.0, 0.0);
+  for (int a = 0; a < 3; ++a) {
+    if (used[static_cast<std::size_t>(a)]) {
+      target(a) = wanted[a];
+    } else {
+      mobility.row(a).setZero();
+      mobility(a, a) = 1.0;
+    }
+  }
+  const Eigen::Vector3d force = mobility.fullPivLu().solve(target);
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::fill(flow_.a[c].begin(), flow_.a[c].end(), 0.0);
+  }
+  grid_force_ = {force(0), force(1), force(2)};
+  for (int a = 0; a < 3; ++a) {
+    const auto s = static_cast<std::size_t>(a);
+    if (used[s]) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t q = 0; q < flow_.a[c].size(); ++q) {
+          flow_.a[c][q] += force(a) * unit_[s].a[c][q];
+        }
+      }
+    } else {
+      grid_force_[a] = 0.0;
+    }
+  }
+  for (int c = 0; c < 4; ++c) {
+    fill_halo(rows_->grid(), flow_[c]);
+  }
+}
+
+Vec3 StokesSolver::mean_velocity(const Fields<double>& x) const {
+  const Grid& grid = rows_->grid();
+  Vec3 mean;
+  for (int c = 0; c < 3; ++c) {
+    const auto s = static_cast<std::size_t>(c);
+    double sum = 0.0;
+    for (int k = 0; k < grid.end(c, 2); ++k) {
+      for (int j = 0; j < grid.end(c, 1); ++j) {
+        for (int i = 0; i < grid.end(c, 0); ++i) {
+          const std::array<int, 3> at{i, j, k};
+          // A face on the box itself stands for half a cell.
+          const bool half = !grid.periodic[s] && (at[s] == 0 || at[s] == grid.cells[s]);
+          sum += (half ? 0.5 : 1.0) * x.a[s][grid.index(i, j, k)];
+        }
+      }
+    }
+    mean[c] = sum / static_cast<double>(grid.cell_count());
+  }
+  return mean;
+}
+
+int StokesSolver::flow_axis() const {
+  for (int f = 0; f < kFaces; ++f) {
+    if (problem_.box.face(f) == FaceCondition::inlet) {
+      return axis_of(f);
+    }
+  }
+  if (problem_.drive.kind == Kind::body_force || problem_.drive.kind == Kind::mean_velocity) {
+    const Vec3 v = problem_.drive.kind == Kind::body_force ? problem_.drive.body_force
+                                                           : problem_.drive.mean_velocity;
+    int axis = 0;
+    for (int a = 1; a < 3; ++a) {
+      axis = std::abs(v[a]) > std::abs(v[axis]) ? a : axis;
+    }
+    return v[axis] != 0.0 ? axis : -1;
+  }
+  return -1;
+}
+
+// Mean pressure on a face of the box, extrapolated linearly from the two cells inside.  A
+// plug flow that meets a no-slip wall makes the pressure singular like 1/r in that corner,
+// and the mean over the whole face grows like log(1/h); so the mean is taken over the core
+// of the face, a quarter of its width away from walls.
+double StokesSolver::face_pressure(int face) const {
+  const FlowFace& condition = faces_[static_cast<std::size_t>(face)];
+  if (condition.kind == FlowFace::Kind::pressure) {
+    return condition.pressure;
+  }
+  const double core = mean_pressure_near(face, kCoreMargin);
+  return std::isnan(core) ? mean_pressure_near(face, 0.0) : core;
+}
+
+double StokesSolver::mean_pressure_near(int face, double margin) const {
+  const Grid& grid = rows_->grid();
+  const int axis = axis_of(face);
+  const std::ptrdiff_t inward = grid.stride(axis) * (is_upper(face) ? -1 : 1);
+  const auto in_core = [&](const std::array<int, 3>& at) {
+    for (int a = 0; a < 3; ++a) {
+      const double extent = grid.position[static_cast<std::size_t>(a)].back();
+      const double x = a == axis ? 0.5 : grid.centre(a, at[static_cast<std::size_t>(a)]) / extent;
+      if ((problem_.box.face(2 * a) == FaceCondition::wall && x < margin) ||
+          (problem_.box.face(2 * a + 1) == FaceCondition::wall && x > 1.0 - margin)) {
+        return false;
+      }
+    }
+    return true;
+  };
+  double sum = 0.0;
+  int count = 0;
+  for_boundary(grid, face, [&](const std::array<int, 3>& at) {
+    const std::size_t first = inner_cell(grid, face, at);
+    if (rows_->coefficients().cell_scale[first] <= 0.0F || !inlet_open_[first] ||
+        !in_core(at)) {
+      return;
+    }
+    const auto second =
+        static_cast<std::size_t>(static_cast<std::ptrdiff_t>(first) + inward);
+    const bool both = grid.cells[static_cast<std::size_t>(axis)] > 1 &&
+                      rows_->coefficients().cell_scale[second] > 0.0F;
+    const auto& p = flow_.a[pressure];
+    sum += both ? 1.5 * p[first] - 0.5 * p[second] : p[first];
+    ++count;
+  });
+  return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+Vec3 StokesSolver::body_force() const { return grid_force_ * (pressure_unit() / length_); }
+
+double StokesSolver::pressure_drop() const {
+  const int axis = flow_axis();
+  if (axis < 0) {
+    return 0.0;
+  }
+  const double by_force =
+      std::abs(body_force()[axis]) * problem_.box.size[axis];
+  double in = 0.0;
+  double out = 0.0;
+  for (int f = 0; f < kFaces; ++f) {
+    if (problem_.box.face(f) == FaceCondition::inlet) {
+      in = face_pressure(f) * pressure_unit();
+    } else if (problem_.box.face(f) == FaceCondition::outlet) {
+      out = face_pressure(f) * pressure_unit();
+    }
+  }
+  return in - out + by_force;
+}
+
+double StokesSolver::flow_rate() const {
+  const int axis = flow_axis();
+  if (axis < 0) {
+    return 0.0;
+  }
+  const double area =
+      problem_.box.size[(axis + 1) % 3] * problem_.box.size[(axis + 2) % 3];
+  for (int f = 0; f < kFaces; ++f) {
+    if (problem_.box.face(f) != FaceCondition::inlet) {
+      continue;
+    }
+    double sum = 0.0;
+    const Grid& grid = rows_->grid();
+    for_boundary(grid, f, [&](const std::array<int, 3>& at) {
+      sum += flow_.a[static_cast<std::size_t>(axis)][grid.index(at[0], at[1], at[2])];
+    });
+    const double faces = static_cast<double>(grid.cell_count()) /
+                         grid.cells[static_cast<std::size_t>(axis)];
+    return (is_upper(f) ? -1.0 : 1.0) * sum / faces * area;
+  }
+  return std::abs(superficial_velocity()[axis]) * area;
+}
+
+Vec3 StokesSolver::superficial_velocity() const { return mean_velocity(flow_); }
+
+double StokesSolver::permeability() const {
+  const int axis = flow_axis();
+  const double drop = pressure_drop();
+  if (axis < 0 || drop == 0.0) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double area =
+      problem_.box.size[(axis + 1) % 3] * problem_.box.size[(axis + 2) % 3];
+  return flow_rate() * problem_.viscosity * problem_.box.size[axis] / (area * drop);
+}
+
+}  // namespace colloid

@@ -1,0 +1,79 @@
+// Steady Stokes flow through a box of fixed spheres.                    MODEL section F
+//
+//     mu lap u - grad p + f = 0,   div u = 0,   u = 0 on spheres,
+//
+// from zero or from the last solution.  Everything outside is SI.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "flow/multigrid.h"
+#include "flow/stokes_problem.h"
+
+namespace colloid {
+
+class StokesSolver {
+ public:
+  /// Refuses (InputError) a throat that is blocked while the drive holds a flux.
+  StokesSolver(const StokesProblem& problem, const StokesOptions& options);
+
+  /// Solves from the last solution; throws ConvergenceError where it fails.
+  const StokesStatistics& solve();
+
+  /// The deposit grew.  The next solve() starts from the flow before.
+  void add_spheres(const std::vector<Sphere>& spheres);
+
+  const StokesStatistics& statistics() const { return statistics_; }
+  const StokesProblem& problem() const { return problem_; }
+
+  /// Axis along which the flow is driven, -1 for none.
+  int flow_axis() const;
+  double pressure_drop() const;        ///< along the flow axis, in flow direction [Pa]
+  double flow_rate() const;            ///< through the box along the flow axis [m^3/s]
+  Vec3 superficial_velocity() const;   ///< mean over the whole box, solid included [m/s]
+  /// k = Q mu L/(A dP) [m^2]; not a number if nothing drives the flow along an axis.
+  double permeability() const;
+  Vec3 body_force() const;             ///< acting, given or found [N/m^3]
+
+  // Level data for interpolation and forces; grid units (length, velocity and pressure
+  // units below).
+  const WallRows& rows() const { return *rows_; }
+  const Fields<double>& fields() const { return flow_; }
+  double length_unit() const { return length_; }      ///< [m]
+  double velocity_unit() const { return 1.0; }        ///< [m/s]
+  double pressure_unit() const { return problem_.viscosity / length_; }  ///< [Pa]
+  const FlowFaces& flow_faces() const { return faces_; }
+  Vec3 grid_body_force() const { return grid_force_; }
+
+ private:
+  void build();
+  void connect();
+  void make_lift();
+  void solve_unit_force(int axis, double tolerance);
+  void solve_mean_velocity();
+  void solve_system(const Fields<double>& b, Fields<double>& x, double scale,
+                    double tolerance);
+  Fields<double> force_rows(const Vec3& force) const;
+  Vec3 mean_velocity(const Fields<double>& x) const;
+  double face_pressure(int face) const;
+  double mean_pressure_near(int face, double margin) const;
+  double open_fraction(int component, const std::array<int, 3>& at) const;
+
+  StokesProblem problem_;
+  StokesOptions options_;
+  double length_ = 1.0;
+  FlowFaces faces_;
+  std::vector<Sphere> grid_spheres_;
+  std::unique_ptr<WallRows> rows_;
+  std::unique_ptr<Multigrid> multigrid_;
+  std::vector<bool> inlet_open_;  ///< per cell: fed by an inlet that reaches the outlet
+  Fields<double> lift_;           ///< given boundary values, zero elsewhere
+  Fields<double> x_;              ///< unknowns
+  Fields<double> flow_;           ///< x + lift
+  std::array<Fields<double>, 3> unit_;  ///< responses to unit forces (mean_velocity)
+  Vec3 grid_force_;
+  StokesStatistics statistics_;
+};
+
+}  // namespace colloid
