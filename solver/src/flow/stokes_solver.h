@@ -45,6 +45,7 @@ class StokesSolver {
   double pressure_unit() const { return problem_.viscosity / length_; }  ///< [Pa]
   const FlowFaces& flow_faces() const { return faces_; }
   Vec3 grid_body_force() const { return grid_force_; }
+  const std::vector<Sphere>& grid_spheres() const { return grid_spheres_; }
 
  private:
   void build();

@@ -48,6 +48,17 @@ struct WallRows::Row {
   double moment = 0.0;
 };
 
+struct WallRows::NearSurfaces {
+  std::vector<Row> all;
+  std::size_t first = 0;  // the one that closes the face most
+  double open = 0.0;      // moment of the face above all of them
+};
+
+double WallRows::width(int axis, const std::array<int, 3>& at) const {
+  const auto a = static_cast<std::size_t>(axis);
+  return grid_.width[a][static_cast<std::size_t>(at[a])];
+}
+
 WallRows::WallRows(const Grid& grid, const FlowFaces& faces) : grid_(grid), faces_(faces) {
   double widest = 0.0;
   spacing_ = 1e300;
@@ -230,19 +241,17 @@ void WallRows::regular_row(int component, const std::array<int, 3>& at) {
   store(component, grid_.index(at[0], at[1], at[2]), {1.0, 1.0, 1.0}, diagonal);
 }
 
-void WallRows::make_row(int component, const std::array<int, 3>& at) {
+WallRows::NearSurfaces WallRows::near_surfaces(int component,
+                                               const std::array<int, 3>& at) const {
   const std::size_t q = grid_.index(at[0], at[1], at[2]);
   const Vec3 x = grid_.location(component, at[0], at[1], at[2]);
   const int t1 = (component + 1) % 3;
   const int t2 = (component + 2) % 3;
-  const double w1 = grid_.width[static_cast<std::size_t>(t1)]
-                               [static_cast<std::size_t>(at[static_cast<std::size_t>(t1)])];
-  const double w2 = grid_.width[static_cast<std::size_t>(t2)]
-                               [static_cast<std::size_t>(at[static_cast<std::size_t>(t2)])];
+  const double w1 = width(t1, at);
+  const double w2 = width(t2, at);
 
   // 1  the surfaces near, and the one that closes the face most
-  std::vector<Row> near;
-  std::size_t first = 0;
+  NearSurfaces found;
   int touching = 0;
   for (std::int32_t m = head_[static_cast<std::size_t>(component)][q]; m != kNone;
        m = candidates_[static_cast<std::size_t>(m)].next) {
@@ -255,16 +264,15 @@ void WallRows::make_row(int component, const std::array<int, 3>& at) {
     s.distance = r - s.image->radius;
     s.moment = wall_moment(s.distance, s.normal[t1] * w1, s.normal[t2] * w2);
     touching += s.moment == s.distance ? 0 : 1;
-    near.push_back(s);
-    const Row& best = near[first];
+    found.all.push_back(s);
+    const Row& best = found.all[found.first];
     if (s.moment < best.moment || (s.moment == best.moment && s.distance < best.distance)) {
-      first = near.size() - 1;
+      found.first = found.all.size() - 1;
     }
   }
-  const Row& wall = near[first];
 
   // 2  its moment; where several surfaces cut the face, that of the nearest one, sampled
-  double open = wall.moment;
+  found.open = found.all[found.first].moment;
   if (touching > 1) {
     double sum = 0.0;
     for (int a = 0; a < kSamples; ++a) {
@@ -272,15 +280,43 @@ void WallRows::make_row(int component, const std::array<int, 3>& at) {
         Vec3 y = x;
         y[t1] += ((a + 0.5) / kSamples - 0.5) * w1;
         y[t2] += ((b + 0.5) / kSamples - 0.5) * w2;
-        double distance = 1e300;
-        for (const Row& s : near) {
+        double distance = std::numeric_limits<double>::max();
+        for (const Row& s : found.all) {
           distance = std::min(distance, norm(y - s.image->center) - s.image->radius);
         }
         sum += std::max(0.0, distance);
       }
     }
-    open = std::min(open, sum / (kSamples * kSamples));
+    found.open = std::min(found.open, sum / (kSamples * kSamples));
   }
+  return found;
+}
+
+double WallRows::moment(int component, const std::array<int, 3>& at) const {
+  const std::int32_t head =
+      head_[static_cast<std::size_t>(component)][grid_.index(at[0], at[1], at[2])];
+  if (head <= kSolid) {
+    return 0.0;
+  }
+  return head == kNone ? reach_ : near_surfaces(component, at).open;
+}
+
+bool WallRows::away(int component, const std::array<int, 3>& at) const {
+  return head_[static_cast<std::size_t>(component)][grid_.index(at[0], at[1], at[2])] ==
+         kNone;
+}
+
+void WallRows::make_row(int component, const std::array<int, 3>& at) {
+  const std::size_t q = grid_.index(at[0], at[1], at[2]);
+  const int t1 = (component + 1) % 3;
+  const int t2 = (component + 2) % 3;
+  const double w1 = width(t1, at);
+  const double w2 = width(t2, at);
+
+  const NearSurfaces surfaces = near_surfaces(component, at);
+  const std::vector<Row>& near = surfaces.all;
+  const Row& wall = near[surfaces.first];
+  const double open = surfaces.open;
   if (open < kClosed * spacing_) {
     close(component, q);
     return;
@@ -312,11 +348,9 @@ void WallRows::make_row(int component, const std::array<int, 3>& at) {
         distance[side] = step * std::min(1.0, wall.moment / (wall.moment - there));
       }
       for (const Row& s : near) {
-        if (&s == &wall || norm(s.from_center + [&] {
-              Vec3 e;
-              e[a] = sign * step;
-              return e;
-            }()) >= s.image->radius) {
+        Vec3 there_from_center = s.from_center;
+        there_from_center[a] += sign * step;
+        if (&s == &wall || norm(there_from_center) >= s.image->radius) {
           continue;
         }
         const double cut = std::max(

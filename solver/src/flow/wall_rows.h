@@ -57,7 +57,12 @@ class WallRows {
   /// Opens a closed face as a sub-grid throat: mean velocity = conductance x (f - grad p).
   void open_subgrid(int component, std::size_t face, double conductance);
 
-  /// The surface that closes the face most, among those within reach.
+  /// Effective wall distance of a face: its moment (wall_moment.h); at least the reach of
+  /// the walls where none is near.  Grid units.
+  double moment(int component, const std::array<int, 3>& at) const;
+  /// No surface is near enough to change this row or its neighbours.
+  bool away(int component, const std::array<int, 3>& at) const;
+  /// The nearest surface among those within reach.
   NearestSurface nearest(int component, int i, int j, int k) const;
 
   const Coefficients& coefficients() const { return coefficients_; }
@@ -80,6 +85,10 @@ class WallRows {
     std::array<int, 3> begin{}, end{};
   };
   struct Row;
+  struct NearSurfaces;
+
+  double width(int axis, const std::array<int, 3>& at) const;
+  NearSurfaces near_surfaces(int component, const std::array<int, 3>& at) const;
 
   IndexBox reach_of(const Image& image, int component) const;
   void collect(std::int32_t image, int component);
