@@ -50,6 +50,10 @@ struct Drive {
   std::optional<Vec3> body_force;        ///< per volume [N/m^3]
   std::optional<Vec3> mean_velocity;     ///< superficial velocity held [m/s]
   std::optional<double> shear_rate;  ///< wall z+ moves along x at rate times height [1/s]
+
+  bool given() const {
+    return inlet_velocity || pressure_drop || body_force || mean_velocity || shear_rate;
+  }
 };
 
 /// The velocity at which a colloid enters: that of the fluid there, or the inlet's mean.

@@ -9,8 +9,9 @@
 
 namespace colloid {
 
-/// Refuses the first bad line with file and line number.  A table without rows is an
-/// empty deposit; whether that is acceptable is the caller's business.
-std::vector<Sphere> read_sphere_table(const std::string& path);
+/// Refuses the first bad line with file and line number, and so a sphere that is entirely
+/// outside the box.  A table without rows is an empty deposit; whether that is acceptable
+/// is the caller's business.
+std::vector<Sphere> read_sphere_table(const std::string& path, const Box& box);
 
 }  // namespace colloid
