@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "core/text.h"
 #include "scene/field_lister.h"
+#include "scene/read_scene.h"
 
 namespace colloid {
 
@@ -32,21 +34,24 @@ std::string allowed(const FieldRow& row) {
   return out.empty() ? row.type : out;
 }
 
-std::string standard_text(const FieldRow& row) {
+/// What holds if the key is left out.
+std::string without_key(const FieldRow& row) {
   if (row.required) {
     return "required";
   }
   if (!row.if_absent.empty()) {
-    return row.if_absent;
+    return "default: " + row.if_absent;
   }
   if (row.standard.is_null()) {
-    return "-";
+    return "no default";
   }
   if (row.standard.is_array()) {
-    return fmt::format("{}",
+    return fmt::format("default: {}",
                        fmt::join(row.standard.get<std::vector<std::string>>(), ", "));
   }
-  return row.standard.is_string() ? row.standard.get<std::string>() : row.standard.dump();
+  return "default: " + (row.type == "text" || !row.standard.is_string()
+                            ? row.standard.dump()
+                            : row.standard.get<std::string>());
 }
 
 nlohmann::ordered_json row_json(const FieldRow& row) {
@@ -70,7 +75,7 @@ nlohmann::ordered_json row_json(const FieldRow& row) {
   if (!row.if_absent.empty()) {
     out["if_absent"] = row.if_absent;
   }
-  if (*row.only_with.c_str() != '\0') {
+  if (!row.only_with.empty()) {
     out["only_with"] = row.only_with;
   }
   out["required"] = row.required;
@@ -83,10 +88,14 @@ class Describe : public Command {
  public:
   void declare_options(CLI::App& app) override {
     app.add_flag("--json", json_, "One JSON object instead of a table");
+    app.add_option("--scene", scene_,
+                   "Print this scene with every default spelled out, as JSON");
   }
 
   int run() const override {
-    if (json_) {
+    if (scene_) {
+      std::cout << to_json(read_scene(*scene_).scene).dump(2) << '\n';
+    } else if (json_) {
       std::cout << scene_keys_json().dump(2) << '\n';
     } else {
       std::cout << scene_keys_table();
@@ -96,6 +105,7 @@ class Describe : public Command {
 
  private:
   bool json_ = false;
+  std::optional<std::string> scene_;
 };
 
 }  // namespace
@@ -122,8 +132,9 @@ std::string scene_keys_table() {
     const std::string only =
         row.only_with.empty() ? "" : fmt::format(" (only with {})", row.only_with);
     out += fmt::format("{:<{}}  {}{}\n", row.pointer, width, row.doc, only);
-    out += fmt::format("{:<{}}    {}; default: {}\n", "", width, allowed(row),
-                       standard_text(row));
+    if (row.type != "section" && row.type != "list") {
+      out += fmt::format("{:<{}}    {}; {}\n", "", width, allowed(row), without_key(row));
+    }
   }
   return out;
 }

@@ -34,8 +34,8 @@ bool is_symbol(char c) {
 /// Recursive descent over a unit expression.
 class UnitParser {
  public:
-  UnitParser(std::string_view text, const std::string& where)
-      : text_(text), where_(where) {}
+  UnitParser(std::string_view text, const std::string& where, const std::string& wish)
+      : text_(text), where_(where), wish_(wish) {}
 
   Unit parse() {
     const Unit unit = expression(0);
@@ -47,7 +47,8 @@ class UnitParser {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw InputError(where_, fmt::format("{} is not a unit: {}", in_quotes(text_), why));
+    throw InputError(
+        where_, fmt::format("{} is not a unit: {}; {}", in_quotes(text_), why, wish_));
   }
 
   void skip_spaces() {
@@ -167,6 +168,7 @@ class UnitParser {
 
   std::string_view text_;
   const std::string& where_;
+  const std::string& wish_;
   std::size_t at_ = 0;
 };
 
@@ -245,13 +247,14 @@ bool operator==(const Dimension& a, const Dimension& b) {
   return a.power == b.power;
 }
 
-Unit parse_unit(std::string_view text, const std::string& where) {
-  return UnitParser(text, where).parse();
+Unit parse_unit(std::string_view text, const std::string& where,
+                const std::string& wish) {
+  return UnitParser(text, where, wish).parse();
 }
 
 double parse_quantity(std::string_view text, std::string_view si_unit, double temperature,
                       const std::string& where) {
-  const Unit expected = parse_unit(si_unit, where);
+  const Unit expected = parse_unit(si_unit, where, "which is a bug of poreclog");
   const std::string wish =
       fmt::format("expected a number with a unit of {}, such as {}",
                   name_of(expected.dimension), in_quotes(example_quantity(si_unit)));
@@ -264,7 +267,7 @@ double parse_quantity(std::string_view text, std::string_view si_unit, double te
   require(!unit_text.empty(), where,
           fmt::format("{} has no unit; {}", in_quotes(text), wish));
 
-  const Unit unit = parse_unit(unit_text, where);
+  const Unit unit = parse_unit(unit_text, where, wish);
   require(unit.dimension == expected.dimension, where,
           fmt::format("{} is of the wrong dimension ({}); {}", in_quotes(text),
                       name_of(unit.dimension), wish));

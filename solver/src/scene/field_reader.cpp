@@ -31,14 +31,14 @@ std::string shown(const json& value) {
   return value.is_number() ? "the number " + value.dump() : value.dump();
 }
 
-/// "; did you mean ...?" if a key of that name, or nearly, is known in another section.
-std::string elsewhere(const std::string& name) {
+/// The key the user may have meant: one of that name in another section, or the nearest.
+std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
   for (const FieldRow& row : list_fields()) {
     if (row.pointer.substr(row.pointer.rfind('/') + 1) == name) {
-      return fmt::format("; {} is a key", row.pointer);
+      return fmt::format("did you mean {}?", row.pointer);
     }
   }
-  return "";
+  return fmt::format("the nearest is {}", in_quotes(nearest(name, known)));
 }
 
 }  // namespace
@@ -274,11 +274,10 @@ void FieldReader::refuse_unknown_keys(const Level& level) {
   for (const auto& member : level.value->items()) {
     const std::string& name = member.key();
     if (std::find(level.known.begin(), level.known.end(), name) == level.known.end()) {
-      throw InputError(join_pointer(level.pointer, name),
-                       fmt::format("is not a known key; the nearest is \"{}\"{}; known "
-                                   "here: {}",
-                                   nearest(name, level.known), elsewhere(name),
-                                   fmt::join(level.known, ", ")));
+      throw InputError(
+          join_pointer(level.pointer, name),
+          fmt::format("is not a known key here; {}; known: {}",
+                      suggestion(name, level.known), fmt::join(level.known, ", ")));
     }
   }
 }

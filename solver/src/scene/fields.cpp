@@ -101,12 +101,12 @@ void declare(Fields& f, Geometry& g) {
 }
 
 void declare(Fields& f, Fluid& fluid) {
-  f.quantity({"viscosity", "dynamic viscosity"}, {"Pa s", positive(1e6)},
-             fluid.viscosity);
-  f.quantity({"density", "density"}, {"kg/m^3", positive(1e5)}, fluid.density);
   f.quantity({"temperature", "temperature; it gives kT its size everywhere in the scene"},
              {"K", between(1.0, 1000.0)}, fluid.temperature);
   f.temperature(fluid.temperature);
+  f.quantity({"viscosity", "dynamic viscosity"}, {"Pa s", positive(1e6)},
+             fluid.viscosity);
+  f.quantity({"density", "density"}, {"kg/m^3", positive(1e5)}, fluid.density);
   f.number({"relative_permittivity", "relative permittivity"}, between(1.0, 1000.0),
            fluid.relative_permittivity);
 }
@@ -202,6 +202,7 @@ void declare(Fields& f, Fidelity& fidelity) {
 
 void declare(Fields& f, Scene& scene) {
   f.text({"description", "a remark; it changes nothing"}, scene.description);
+  f.temperature(scene.fluid.temperature);  // the default, if there is no section
   f.section({"fluid", "the carrier fluid"}, scene.fluid);
   f.section(required({"geometry", "the domain and the grains in it"}), scene.geometry);
   f.section({"drive", "what moves the fluid; left out if only bodies do"}, scene.drive,

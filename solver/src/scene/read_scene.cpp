@@ -84,6 +84,13 @@ SceneFile read_scene(const std::string& path) {
   return parse_scene(read_text_file(path), path);
 }
 
+void refuse_bodies(const SceneFile& file) {
+  if (!file.scene.geometry.bodies.empty()) {
+    file.refuse("/geometry/bodies",
+                "need the tier quasi_steady, which is not there yet; expected no bodies");
+  }
+}
+
 nlohmann::ordered_json to_json(Scene scene) {
   scene.geometry.spheres_file.clear();  // its spheres are listed
   nlohmann::ordered_json root = nlohmann::ordered_json::object();
