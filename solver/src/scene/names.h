@@ -10,71 +10,71 @@
 
 namespace colloid {
 
-/// Specialised per enum; `value[i]` is the word of the enumerator i.
+/// Specialised per enum; `kValue[i]` is the word of the enumerator i.
 template <class E>
 struct Words;
 
 template <>
 struct Words<FaceCondition> {
-  static constexpr std::array value{"inlet", "outlet", "wall", "periodic", "symmetry"};
+  static constexpr std::array kValue{"inlet", "outlet", "wall", "periodic", "symmetry"};
 };
 template <>
 struct Words<Preset> {
-  static constexpr std::array value{"none", "throat"};
+  static constexpr std::array kValue{"none", "throat"};
 };
 template <>
 struct Words<ReleaseVelocity> {
-  static constexpr std::array value{"local", "inlet"};
+  static constexpr std::array kValue{"local", "inlet"};
 };
 template <>
 struct Words<InjectionSequence> {
-  static constexpr std::array value{"poisson"};
+  static constexpr std::array kValue{"poisson"};
 };
 template <>
 struct Words<DoubleLayer> {
-  static constexpr std::array value{"superposition", "derjaguin"};
+  static constexpr std::array kValue{"superposition", "derjaguin"};
 };
 template <>
 struct Words<VanDerWaals> {
-  static constexpr std::array value{"unretarded", "retarded"};
+  static constexpr std::array kValue{"unretarded", "retarded"};
 };
 template <>
 struct Words<Walls> {
-  static constexpr std::array value{"inert", "adhesive"};
+  static constexpr std::array kValue{"inert", "adhesive"};
 };
 template <>
 struct Words<Bonds> {
-  static constexpr std::array value{"permanent", "breakable"};
+  static constexpr std::array kValue{"permanent", "breakable"};
 };
 template <>
 struct Words<StopWhen> {
-  static constexpr std::array value{"duration", "clogged"};
+  static constexpr std::array kValue{"duration", "clogged"};
 };
 template <>
 struct Words<TierChoice> {
-  static constexpr std::array value{"auto", "one_way", "quasi_steady", "transient"};
+  static constexpr std::array kValue{"auto", "one_way", "quasi_steady", "transient"};
 };
 template <>
 struct Words<Hindrance> {
-  static constexpr std::array value{"none", "wall", "wall_and_pair"};
+  static constexpr std::array kValue{"none", "wall", "wall_and_pair"};
 };
 template <>
 struct Words<Lubrication> {
-  static constexpr std::array value{"resolved_only", "full"};
+  static constexpr std::array kValue{"resolved_only", "full"};
 };
 template <>
 struct Words<Coupling> {
-  static constexpr std::array value{"implicit", "explicit"};
+  static constexpr std::array kValue{"implicit", "explicit"};
 };
 
 template <class E>
 std::string word_of(E choice) {
-  return Words<E>::value.at(static_cast<std::size_t>(choice));
+  return Words<E>::kValue.at(static_cast<std::size_t>(choice));
 }
 
 template <class E>
 std::vector<std::string> words_of() {
-  return {Words<E>::value.begin(), Words<E>::value.end()};
+  return {Words<E>::kValue.begin(), Words<E>::kValue.end()};
 }
 
 /// The name of a face as a key: "x-" to "z+".
