@@ -26,7 +26,7 @@ struct Box {
   std::array<FaceCondition, kFaces> faces;  ///< periodic only in pairs
 
   bool periodic(int axis) const {
-    return faces[static_cast<std::size_t>(2 * axis)] == FaceCondition::periodic;
+    return face(2 * axis) == FaceCondition::periodic;
   }
   FaceCondition face(int index) const { return faces[static_cast<std::size_t>(index)]; }
 };

@@ -13,12 +13,14 @@ class InputError : public std::runtime_error {
  public:
   /// `where` is a JSON pointer ("/fluid/viscosity"), a file or an option.
   InputError(const std::string& where, const std::string& why)
-      : std::runtime_error(where + ": " + why), where_(where) {}
+      : std::runtime_error(where + ": " + why), where_(where), why_(why) {}
 
   const std::string& where() const { return where_; }
+  const std::string& why() const { return why_; }
 
  private:
   std::string where_;
+  std::string why_;
 };
 
 /// A computation that did not converge or became unstable.  Exit code 3.

@@ -58,6 +58,26 @@ void fill_halos(const Grid& grid, Fields<Real>& x) {
   }
 }
 
+// Products of w with the first `count` basis vectors, summed over planes in order.
+std::vector<double> products(const LevelView& level, const Fields<double>& w,
+                             const std::vector<Fields<float>>& basis, std::size_t count,
+                             int threads) {
+  const int planes = level.end[2];
+  std::vector<double> part(static_cast<std::size_t>(planes) * count);
+  for_planes(planes, threads, [&](int k) {
+    for (std::size_t i = 0; i < count; ++i) {
+      part[static_cast<std::size_t>(k) * count + i] = dot_plane(level, w, basis[i], k);
+    }
+  });
+  std::vector<double> sum(count, 0.0);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(planes); ++k) {
+    for (std::size_t i = 0; i < count; ++i) {
+      sum[i] += part[k * count + i];
+    }
+  }
+  return sum;
+}
+
 }  // namespace
 
 void true_residual(const WallRows& rows, const LevelView& level, Fields<double>& x,
@@ -105,15 +125,18 @@ KrylovStatistics solve_fgmres(
       fill_halos(rows.grid(), directions[j]);
       for_planes(planes, threads,
                  [&](int k) { residual_plane(level, directions[j], zero, w, k); });
-      // w = -M z: the signs of the column are turned round.
-      std::vector<double> column(j + 2, 0.0);
-      for (std::size_t i = 0; i <= j; ++i) {
-        const double h = sum_planes(planes, threads, [&](int k) {
-          return dot_plane(level, w, basis[i], k);
-        });
-        for_planes(planes, threads, [&](int k) { axpy_plane(level, -h, basis[i], w, k); });
-        column[i] = -h;
+      // w = -M z: the signs of the column are turned round.  Classical Gram-Schmidt: all
+      // products first, so that w passes through the cache twice, however many vectors.
+      std::vector<double> column = products(level, w, basis, j + 1, threads);
+      for_planes(planes, threads, [&](int k) {
+        for (std::size_t i = 0; i <= j; ++i) {
+          axpy_plane(level, -column[i], basis[i], w, k);
+        }
+      });
+      for (double& h : column) {
+        h = -h;
       }
+      column.push_back(0.0);
       const double rest = norm(level, w, threads);
       if (!std::isfinite(rest)) {
         throw ConvergenceError("Stokes solver: not a number in Krylov iteration " +

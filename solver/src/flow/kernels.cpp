@@ -157,9 +157,11 @@ PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float 
 }
 
 PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
-                                   const float* q, float alpha, Fields<float>& u, int k) {
+                                   const float* q, float alpha, bool from_zero,
+                                   Fields<float>& u, int k) {
   const std::size_t n = static_cast<std::size_t>(m.end[0]);
   const float factor = static_cast<float>(1.0 / (static_cast<double>(alpha) * m.diagonal));
+  const float keep = from_zero ? 0.0F : 1.0F;
   const std::array<std::ptrdiff_t, 3> stride{1, m.stride_y, m.stride_z};
   for (int j = 0; j < m.end[1]; ++j) {
     const std::size_t at = row_begin(m, j, k);
@@ -172,18 +174,18 @@ PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
       if (c == 0) {
         const float* __restrict g = m.gradient[0] + 1;
         for (std::size_t i = 0; i < n; ++i) {
-          x[i] += factor * (rhs[i] - scale[i] * g[i] * (here[i] - below[i]));
+          x[i] = keep * x[i] + factor * (rhs[i] - scale[i] * g[i] * (here[i] - below[i]));
         }
       } else {
         const float g = m.gradient[c][static_cast<std::size_t>((c == 1 ? j : k) + 1)];
         for (std::size_t i = 0; i < n; ++i) {
-          x[i] += factor * (rhs[i] - scale[i] * g * (here[i] - below[i]));
+          x[i] = keep * x[i] + factor * (rhs[i] - scale[i] * g * (here[i] - below[i]));
         }
       }
     }
     float* __restrict p = u[pressure] + at;
     for (std::size_t i = 0; i < n; ++i) {
-      p[i] += here[i];
+      p[i] = keep * p[i] + here[i];
     }
   }
 }

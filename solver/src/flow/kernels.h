@@ -23,9 +23,9 @@ void schur_start_plane(const LevelView& m, const Fields<float>& r, float alpha, 
 void schur_step_plane(const LevelView& m, const float* b, float omega, const float* q,
                       float* q_new, int k);
 
-/// u += (r - S G q) / (alpha d),  p += q.                                           (F14)
+/// u += (r - S G q) / (alpha d),  p += q; `u` is set, not added to, if `from_zero`.   (F14)
 void correct_plane(const LevelView& m, const Fields<float>& r, const float* q, float alpha,
-                   Fields<float>& u, int k);
+                   bool from_zero, Fields<float>& u, int k);
 
 /// Sum of a_i b_i over one plane, accumulated in double in a fixed order.
 template <class A, class B>

@@ -61,8 +61,8 @@ Multigrid::Multigrid(const WallRows& finest, const FlowFaces& faces,
     level.view = view(*level.walls);
     level.r = Fields<float>(size);
     level.b.assign(size, 0.0F);
-    level.q.assign(size, 0.0F);
-    level.q_next.assign(size, 0.0F);
+    level.q.assign(static_cast<std::size_t>(options_.schur_steps),
+                   std::vector<float>(size, 0.0F));
     if (level.rows) {
       level.u = Fields<float>(size);
       level.f = Fields<float>(size);
@@ -84,36 +84,66 @@ void Multigrid::residual(Level& level, Fields<float>& u, const Fields<float>& f)
              [&](int k) { residual_plane(level.view, u, f, level.r, k); });
 }
 
+// The stages of a sweep, plane by plane:
+//
+//   0            r = f - M u                      needs u  of planes k-1, k, k+1
+//   1            right-hand side, first q         needs r  of k, k+1
+//   2 .. steps   a Jacobi step on q               needs q  of k-1, k, k+1
+//   last         u and p corrected                needs q  of k-1, k; u no longer needed
+//
+// On one thread they follow each other at two planes' distance, so that a plane passes
+// through all of them while it is in the cache; stage s starts at plane s and ends at plane
+// s - 1, which makes the order right for a periodic axis too.  On several threads each stage
+// is finished before the next: the same operations on the same numbers.
 void Multigrid::sweep(Level& level, const Fields<float>& f, Fields<float>& u,
                       bool from_zero, int number) {
   const Grid& grid = level.walls->grid();
   const LevelView& m = level.view;
   const int planes = m.end[2];
   const float alpha = options_.alpha[static_cast<std::size_t>(number % 2)];
-  if (from_zero) {
-    for_planes(planes, threads_,
-               [&](int k) { scaled_copy_plane(m, 1.0, f, level.r, k); });
-  } else {
-    residual(level, u, f);
+  const Fields<float>& r = from_zero ? f : level.r;
+  const int steps = options_.schur_steps;
+
+  if (!from_zero) {
+    fill_halos(grid, u);
   }
-  for (int c = 0; c < 3; ++c) {
-    fill_halo(grid, level.r[c]);
+  const auto stage = [&](int s, int k) {
+    if (s == 0) {
+      if (!from_zero) {
+        residual_plane(m, u, f, level.r, k);
+        for (int c = 0; c < 3; ++c) {
+          fill_halo_of_plane(grid, level.r[c], k);
+        }
+      }
+    } else if (s == 1) {
+      schur_start_plane(m, r, alpha, options_.omega[0], level.b.data(),
+                        level.q[0].data(), k);
+      fill_halo_of_plane(grid, level.q[0].data(), k);
+    } else if (s <= steps) {
+      const auto step = static_cast<std::size_t>(s - 1);
+      schur_step_plane(m, level.b.data(), options_.omega[step], level.q[step - 1].data(),
+                       level.q[step].data(), k);
+      fill_halo_of_plane(grid, level.q[step].data(), k);
+    } else {
+      correct_plane(m, r, level.q[static_cast<std::size_t>(steps - 1)].data(), alpha,
+                    from_zero, u, k);
+    }
+  };
+  const int last = steps + 1;
+  if (threads_ > 1 || planes < 2 * last) {
+    for (int s = 0; s <= last; ++s) {
+      for_planes(planes, threads_, [&](int k) { stage(s, k); });
+    }
+    return;
   }
-  for_planes(planes, threads_, [&](int k) {
-    schur_start_plane(m, level.r, alpha, options_.omega[0], level.b.data(), level.q.data(),
-                      k);
-  });
-  fill_halo(grid, level.q.data());
-  for (int step = 1; step < options_.schur_steps; ++step) {
-    const float omega = options_.omega[static_cast<std::size_t>(step % 4)];
-    for_planes(planes, threads_, [&](int k) {
-      schur_step_plane(m, level.b.data(), omega, level.q.data(), level.q_next.data(), k);
-    });
-    std::swap(level.q, level.q_next);
-    fill_halo(grid, level.q.data());
+  for (int time = 0; time < planes + 2 * last; ++time) {
+    for (int s = 0; s <= last; ++s) {
+      const int order = time - 2 * s;
+      if (order >= 0 && order < planes) {
+        stage(s, (order + s) % planes);
+      }
+    }
   }
-  for_planes(planes, threads_,
-             [&](int k) { correct_plane(m, level.r, level.q.data(), alpha, u, k); });
 }
 
 void Multigrid::smooth(Fields<float>& u, const Fields<float>& f, bool from_zero,
@@ -139,9 +169,6 @@ void Multigrid::cycle(std::size_t index, const Fields<float>& f, Fields<float>& 
   for_planes(coarse.view.end[2], threads_, [&](int k) {
     restrict_plane(level.transfer, level.view, coarse.view, level.r, coarse.f, k);
   });
-  for (auto& x : coarse.u.a) {
-    std::fill(x.begin(), x.end(), 0.0F);
-  }
   cycle(index + 1, coarse.f, coarse.u);
   fill_halos(coarse.walls->grid(), coarse.u);
   for_planes(level.view.end[2], threads_, [&](int k) {
@@ -153,9 +180,6 @@ void Multigrid::cycle(std::size_t index, const Fields<float>& f, Fields<float>& 
 }
 
 void Multigrid::apply(const Fields<float>& r, Fields<float>& z) {
-  for (auto& x : z.a) {
-    std::fill(x.begin(), x.end(), 0.0F);
-  }
   cycle(0, r, z);
 }
 

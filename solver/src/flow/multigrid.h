@@ -54,7 +54,8 @@ class Multigrid {
     const WallRows* walls = nullptr;
     LevelView view;
     Fields<float> u, f, r;
-    std::vector<float> b, q, q_next;
+    std::vector<float> b;                ///< right-hand side of the pressure steps
+    std::vector<std::vector<float>> q;   ///< pressure after each of them
     LevelTransfer transfer;  ///< to the next coarser level
   };
 

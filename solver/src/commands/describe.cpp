@@ -1,0 +1,146 @@
+#include "commands/describe.h"
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+#include "scene/field_lister.h"
+#include "scene/read_scene.h"
+
+namespace colloid {
+
+namespace {
+
+constexpr int kSchemaVersion = 1;
+
+/// What may stand for the key: unit, range, words.
+std::string allowed(const FieldRow& row) {
+  std::string out = row.unit;
+  if (row.range) {
+    out += (out.empty() ? "" : " ") + row.range->text();
+  }
+  if (!row.words.empty()) {
+    out += (out.empty() ? "" : ", or ") + fmt::format("{}", fmt::join(row.words, " | "));
+  }
+  if (!row.pairs.empty()) {
+    out += fmt::format(", or per pair {{{}}}", fmt::join(row.pairs, ", "));
+  }
+  if (row.nullable) {
+    out += ", or null";
+  }
+  return out.empty() ? row.type : out;
+}
+
+/// What holds if the key is left out.
+std::string without_key(const FieldRow& row) {
+  if (row.required) {
+    return "required";
+  }
+  if (!row.if_absent.empty()) {
+    return "default: " + row.if_absent;
+  }
+  if (row.standard.is_null()) {
+    return "no default";
+  }
+  if (row.standard.is_array()) {
+    return fmt::format("default: {}",
+                       fmt::join(row.standard.get<std::vector<std::string>>(), ", "));
+  }
+  return "default: " + (row.type == "text" || !row.standard.is_string()
+                            ? row.standard.dump()
+                            : row.standard.get<std::string>());
+}
+
+nlohmann::ordered_json row_json(const FieldRow& row) {
+  nlohmann::ordered_json out{{"pointer", row.pointer}, {"type", row.type}};
+  if (!row.unit.empty()) {
+    out["unit"] = row.unit;
+  }
+  if (row.range) {
+    out[row.range->above_low ? "exclusive_minimum" : "minimum"] = row.range->low;
+    out["maximum"] = row.range->high;
+  }
+  if (!row.words.empty()) {
+    out["values"] = row.words;
+  }
+  if (!row.pairs.empty()) {
+    out["per_pair"] = row.pairs;
+  }
+  if (!row.standard.is_null()) {
+    out["default"] = row.standard;
+  }
+  if (!row.if_absent.empty()) {
+    out["if_absent"] = row.if_absent;
+  }
+  if (!row.only_with.empty()) {
+    out["only_with"] = row.only_with;
+  }
+  out["required"] = row.required;
+  out["nullable"] = row.nullable;
+  out["doc"] = row.doc;
+  return out;
+}
+
+class Describe : public Command {
+ public:
+  void declare_options(CLI::App& app) override {
+    app.add_flag("--json", json_, "One JSON object instead of a table");
+    app.add_option("--scene", scene_,
+                   "Print this scene with every default spelled out, as JSON");
+  }
+
+  int run() const override {
+    if (scene_) {
+      std::cout << to_json(read_scene(*scene_).scene).dump(2) << '\n';
+    } else if (json_) {
+      std::cout << scene_keys_json().dump(2) << '\n';
+    } else {
+      std::cout << scene_keys_table();
+    }
+    return exit_finished;
+  }
+
+ private:
+  bool json_ = false;
+  std::optional<std::string> scene_;
+};
+
+}  // namespace
+
+nlohmann::ordered_json scene_keys_json() {
+  nlohmann::ordered_json keys = nlohmann::ordered_json::array();
+  for (const FieldRow& row : list_fields()) {
+    keys.push_back(row_json(row));
+  }
+  return {{"schema_version", kSchemaVersion}, {"keys", keys}};
+}
+
+std::string scene_keys_table() {
+  const std::vector<FieldRow> rows = list_fields();
+  std::size_t width = 0;
+  for (const FieldRow& row : rows) {
+    width = std::max(width, row.pointer.size());
+  }
+  std::string out =
+      "Keys of a scene.  Quantities are texts with a unit (\"13.3 um\"), vectors are "
+      "lists "
+      "of three; ranges and defaults are in SI.\n\n";
+  for (const FieldRow& row : rows) {
+    const std::string only =
+        row.only_with.empty() ? "" : fmt::format(" (only with {})", row.only_with);
+    out += fmt::format("{:<{}}  {}{}\n", row.pointer, width, row.doc, only);
+    if (row.type != "section" && row.type != "list") {
+      out += fmt::format("{:<{}}    {}; {}\n", "", width, allowed(row), without_key(row));
+    }
+  }
+  return out;
+}
+
+std::unique_ptr<Command> make_describe() {
+  return std::make_unique<Describe>();
+}
+
+}  // namespace colloid

@@ -1,0 +1,102 @@
+#include "scene/read_scene.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "core/text_file.h"
+#include "scene/check.h"
+#include "scene/field_reader.h"
+#include "scene/field_writer.h"
+#include "scene/json_text.h"
+#include "scene/sphere_table.h"
+#include "scene/throat.h"
+
+namespace colloid {
+
+namespace {
+
+InputError located(const SceneFile& file, const std::string& pointer,
+                   const std::string& why) {
+  const TextPosition position = locate(file.text, pointer);
+  return {fmt::format("{} {}: {}", file.path, to_string(position), pointer), why};
+}
+
+/// Adds file and line to the refusals of `step`, which know only the JSON pointer.
+template <class Step>
+void with_location(const SceneFile& file, Step step) {
+  try {
+    step();
+  } catch (const InputError& error) {
+    throw located(file, error.where(), error.why());
+  }
+}
+
+/// The path of spheres_file, seen from the scene's folder.
+std::string resolved(const SceneFile& file) {
+  const std::string& given = file.scene.geometry.spheres_file;
+  const std::filesystem::path path =
+      std::filesystem::path(file.path).parent_path() / given;
+  with_location(file, [&] {
+    require(
+        std::filesystem::exists(path), "/geometry/spheres_file",
+        fmt::format("is {}, but there is no file {}", in_quotes(given), path.string()));
+  });
+  return path.string();
+}
+
+void append_sphere_table(SceneFile& file) {
+  const std::string path = resolved(file);
+  const std::vector<Sphere> table = read_sphere_table(path, file.scene.geometry.box);
+  require(!table.empty(), path, "has a header but no spheres");
+  std::vector<Sphere>& spheres = file.scene.geometry.spheres;
+  spheres.insert(spheres.end(), table.begin(), table.end());
+}
+
+}  // namespace
+
+void SceneFile::refuse(const std::string& pointer, const std::string& why) const {
+  throw located(*this, pointer, why);
+}
+
+SceneFile parse_scene(std::string text, const std::string& path) {
+  SceneFile file{path, std::move(text), {}};
+  const nlohmann::json root = parse_json(file.text, path);
+  with_location(file, [&] {
+    FieldReader reader(root);
+    declare(reader, file.scene);
+    reader.finish();
+    if (file.scene.geometry.preset == Preset::throat) {
+      place_throat(file.scene.geometry);
+    }
+  });
+  if (!file.scene.geometry.spheres_file.empty()) {
+    append_sphere_table(file);
+  }
+  with_location(file, [&] { check_scene(file.scene); });
+  return file;
+}
+
+SceneFile read_scene(const std::string& path) {
+  return parse_scene(read_text_file(path), path);
+}
+
+void refuse_bodies(const SceneFile& file) {
+  if (!file.scene.geometry.bodies.empty()) {
+    file.refuse("/geometry/bodies",
+                "need the tier quasi_steady, which is not there yet; expected no bodies");
+  }
+}
+
+nlohmann::ordered_json to_json(Scene scene) {
+  scene.geometry.spheres_file.clear();  // its spheres are listed
+  nlohmann::ordered_json root = nlohmann::ordered_json::object();
+  FieldWriter writer(root);
+  declare(writer, scene);
+  return root;
+}
+
+}  // namespace colloid
