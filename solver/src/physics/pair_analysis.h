@@ -62,6 +62,7 @@ PairAnalysis analyse_pair(const SurfaceForces& forces);
 
 /// Largest gap [m] at which the pair attracts with `force` [N] or more; 0 = nowhere. With
 /// the Stokes drag 6 pi mu a U for `force` this is the physical capture gap, MODEL (S14).
+/// Where a barrier is higher than the drag it lies inside the barrier.
 double capture_gap(const SurfaceForces& forces, double force);
 
 /// The same of the van der Waals force alone; unretarded: sqrt(A R / (6 F)).
