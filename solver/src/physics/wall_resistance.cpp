@@ -15,18 +15,26 @@ WallResistance wall_resistance(double gap_over_radius) {
   const double log = -std::log(y);
   const double t = 2.0 * x - 1.0;
 
-  // All functions at once: the inner loop has no dependence and is vectorised.
-  double f[kWallFunctions];
+  // All functions at once, even and odd powers of t apart: no step waits for another, and
+  // the inner loops are vectorised.
+  static_assert(kWallDegree % 2 == 0, "the even powers close the sum");
+  const double t2 = t * t;
+  double even[kWallFunctions];
+  double odd[kWallFunctions];
   for (int i = 0; i < kWallFunctions; ++i) {
-    f[i] = kWallPolynomial[kWallDegree][i];
+    even[i] = kWallPolynomial[kWallDegree][i] * t2 + kWallPolynomial[kWallDegree - 2][i];
+    odd[i] = kWallPolynomial[kWallDegree - 1][i];
   }
-  for (int power = kWallDegree - 1; power >= 0; --power) {
+  for (int power = kWallDegree - 4; power >= 0; power -= 2) {
     for (int i = 0; i < kWallFunctions; ++i) {
-      f[i] = f[i] * t + kWallPolynomial[power][i];
+      even[i] = even[i] * t2 + kWallPolynomial[power][i];
+      odd[i] = odd[i] * t2 + kWallPolynomial[power + 1][i];
     }
   }
+  double f[kWallFunctions];
   for (int i = 0; i < kWallFunctions; ++i) {
-    f[i] += log * (kWallLog0[i] + y * (kWallLog1[i] + y * kWallLog2[i]));
+    f[i] = even[i] + t * odd[i] +
+           log * (kWallLog0[i] + y * (kWallLog1[i] + y * kWallLog2[i]));
   }
 
   const double x4 = (x * x) * (x * x);

@@ -32,7 +32,7 @@ struct WallResistance {
   double t_n = 1.0;  ///< torque of rotation about the normal
 };
 
-/// `gap_over_radius` = h/a > 0; infinity gives the bulk.  About 30 ns.
+/// `gap_over_radius` = h/a > 0; infinity gives the bulk.  About 45 ns.
 WallResistance wall_resistance(double gap_over_radius);
 
 /// How a sphere free of force and torque moves in the shear flow, MODEL (R6).
