@@ -10,6 +10,7 @@
 
 #include "commands/command.h"
 #include "commands/describe.h"
+#include "commands/measure.h"
 #include "core/error.h"
 #include "core/version.h"
 
@@ -18,7 +19,9 @@ namespace {
 using colloid::Command;
 using colloid::CommandEntry;
 
-constexpr std::array<CommandEntry, 1> kCommands{{
+constexpr std::array<CommandEntry, 2> kCommands{{
+    {"measure", "Measure flow, permeability, critical diameter and forces of a scene",
+     colloid::make_measure},
     {"describe", "Print the keys of a scene with units, ranges and defaults",
      colloid::make_describe},
 }};

@@ -34,6 +34,10 @@ struct StokesProblem {
   std::array<int, 3> cells{};
 };
 
+/// Axis along which the flow is driven: the inlet's, or the largest component of the force
+/// or mean velocity; -1 for none.
+int flow_axis(const StokesProblem& problem);
+
 struct StokesOptions {
   double tolerance = 1e-6;   ///< residual relative to the drive's, 2-norm of scaled rows
   int max_iterations = 200;  ///< then the flow has not converged

@@ -446,15 +446,35 @@ Vec3 StokesSolver::mean_velocity(const Fields<double>& x) const {
   return mean;
 }
 
-int StokesSolver::flow_axis() const {
+double StokesSolver::largest_speed() const {
+  const Grid& grid = rows_->grid();
+  double largest = 0.0;
+  for (int k = 0; k < grid.cells[2]; ++k) {
+    for (int j = 0; j < grid.cells[1]; ++j) {
+      for (int i = 0; i < grid.cells[0]; ++i) {
+        const std::size_t q = grid.index(i, j, k);
+        double square = 0.0;
+        for (int c = 0; c < 3; ++c) {
+          const auto& u = flow_.a[static_cast<std::size_t>(c)];
+          const double mean = 0.5 * (u[q] + u[q + static_cast<std::size_t>(grid.stride(c))]);
+          square += mean * mean;
+        }
+        largest = std::max(largest, square);
+      }
+    }
+  }
+  return std::sqrt(largest) * velocity_unit();
+}
+
+int flow_axis(const StokesProblem& problem) {
   for (int f = 0; f < kFaces; ++f) {
-    if (problem_.box.face(f) == FaceCondition::inlet) {
+    if (problem.box.face(f) == FaceCondition::inlet) {
       return axis_of(f);
     }
   }
-  if (problem_.drive.kind == Kind::body_force || problem_.drive.kind == Kind::mean_velocity) {
-    const Vec3 v = problem_.drive.kind == Kind::body_force ? problem_.drive.body_force
-                                                           : problem_.drive.mean_velocity;
+  if (problem.drive.kind == Kind::body_force || problem.drive.kind == Kind::mean_velocity) {
+    const Vec3 v = problem.drive.kind == Kind::body_force ? problem.drive.body_force
+                                                          : problem.drive.mean_velocity;
     int axis = 0;
     for (int a = 1; a < 3; ++a) {
       axis = std::abs(v[a]) > std::abs(v[axis]) ? a : axis;

@@ -27,8 +27,8 @@ class StokesSolver {
   const StokesStatistics& statistics() const { return statistics_; }
   const StokesProblem& problem() const { return problem_; }
 
-  /// Axis along which the flow is driven, -1 for none.
-  int flow_axis() const;
+  int flow_axis() const { return colloid::flow_axis(problem_); }
+  double largest_speed() const;        ///< at cell centres [m/s]
   double pressure_drop() const;        ///< along the flow axis, in flow direction [Pa]
   double flow_rate() const;            ///< through the box along the flow axis [m^3/s]
   Vec3 superficial_velocity() const;   ///< mean over the whole box, solid included [m/s]

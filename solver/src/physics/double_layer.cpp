@@ -14,7 +14,7 @@ double squared(double x) {
 
 }  // namespace
 
-double constant_potential_energy(const DoubleLayer& pair, double gap) {
+double constant_potential_energy(const DoubleLayerTerm& pair, double gap) {
   const double kappa_h = gap / pair.debye_length;
   const double x = std::exp(-kappa_h);
   const double one_minus_x = -std::expm1(-kappa_h);
@@ -25,7 +25,7 @@ double constant_potential_energy(const DoubleLayer& pair, double gap) {
           squared(pair.potential_1 - pair.potential_2) * log_one_minus_x);
 }
 
-double constant_potential_force(const DoubleLayer& pair, double gap) {
+double constant_potential_force(const DoubleLayerTerm& pair, double gap) {
   const double kappa_h = gap / pair.debye_length;
   const double x = std::exp(-kappa_h);
   const double one_minus_x = -std::expm1(-kappa_h);
@@ -34,12 +34,12 @@ double constant_potential_force(const DoubleLayer& pair, double gap) {
           squared(pair.potential_1 - pair.potential_2) / one_minus_x);
 }
 
-double superposition_energy(const DoubleLayer& pair, double gap) {
+double superposition_energy(const DoubleLayerTerm& pair, double gap) {
   return 4.0 * kPi * pair.permittivity * pair.radius * pair.potential_1 *
          pair.potential_2 * std::exp(-gap / pair.debye_length);
 }
 
-double superposition_force(const DoubleLayer& pair, double gap) {
+double superposition_force(const DoubleLayerTerm& pair, double gap) {
   return superposition_energy(pair, gap) / pair.debye_length;
 }
 

@@ -12,7 +12,7 @@
 
 namespace colloid {
 
-struct DoubleLayer {
+struct DoubleLayerTerm {
   double radius = 0.0;        ///< Derjaguin radius R [m]
   double potential_1 = 0.0;   ///< psi_1 [V], the zeta potential is taken for it
   double potential_2 = 0.0;   ///< psi_2 [V]
@@ -28,8 +28,8 @@ struct DoubleLayer {
 /// ln((1 + x)/(1 - x)) and ln(1 - x^2) collected so that nothing cancels.  For psi_1 =
 /// psi_2 = psi and equal spheres it is Derjaguin's 2 pi eps a psi^2 ln(1 + x).  Unequal
 /// potentials attract at small gaps, whatever their signs.
-double constant_potential_energy(const DoubleLayer& pair, double gap);
-double constant_potential_force(const DoubleLayer& pair, double gap);
+double constant_potential_energy(const DoubleLayerTerm& pair, double gap);
+double constant_potential_force(const DoubleLayerTerm& pair, double gap);
 
 /// Linear superposition of the two undisturbed layers, MODEL (S3):
 ///
@@ -37,7 +37,7 @@ double constant_potential_force(const DoubleLayer& pair, double gap);
 ///
 /// Source: Bell, Levine & McCartney (1970), J. Colloid Interface Sci. 33, 335, at small
 /// potentials and h << R.  Equal spheres: 2 pi eps a psi^2 exp(-kappa h).
-double superposition_energy(const DoubleLayer& pair, double gap);
-double superposition_force(const DoubleLayer& pair, double gap);
+double superposition_energy(const DoubleLayerTerm& pair, double gap);
+double superposition_force(const DoubleLayerTerm& pair, double gap);
 
 }  // namespace colloid

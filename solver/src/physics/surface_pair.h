@@ -54,7 +54,7 @@ class SurfaceForces {
 
  private:
   SurfacePair pair_;
-  DoubleLayer double_layer_;
+  DoubleLayerTerm double_layer_;
   Dispersion dispersion_;
   double thermal_energy_;
 };

@@ -157,7 +157,7 @@ void declare(Fields& f, Grains& grains) {
   f.number({"poisson_ratio", "Poisson's ratio"}, between(0.0, 0.5), grains.poisson_ratio);
 }
 
-void declare(Fields& f, Surface& s) {
+void declare(Fields& f, SurfaceChemistry& s) {
   f.quantity({"ionic_strength", "of a 1:1 electrolyte"}, {"mol/m^3", positive(2e4)},
              s.ionic_strength);
   f.quantity({"zeta_colloid", "zeta potential of the colloids"}, zeta(), s.zeta_colloid);

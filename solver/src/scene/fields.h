@@ -157,7 +157,7 @@ void declare(Fields& fields, Drive& drive);
 void declare(Fields& fields, Injection& injection);
 void declare(Fields& fields, Colloids& colloids);
 void declare(Fields& fields, Grains& grains);
-void declare(Fields& fields, Surface& surface);
+void declare(Fields& fields, SurfaceChemistry& surface);
 void declare(Fields& fields, Fidelity& fidelity);
 void declare(Fields& fields, Scene& scene);
 

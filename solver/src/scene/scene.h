@@ -86,7 +86,7 @@ struct Grains {
 enum class DoubleLayer { superposition, derjaguin };
 enum class VanDerWaals { unretarded, retarded };
 
-struct Surface {
+struct SurfaceChemistry {
   double ionic_strength = 300.0;           ///< of a 1:1 electrolyte [mol/m^3]
   double zeta_colloid = -27.9e-3;          ///< [V]
   double zeta_grain = -15.7e-3;            ///< [V]
@@ -134,7 +134,7 @@ struct Scene {
   Drive drive;
   std::optional<Colloids> colloids;  ///< absent: only flow can be measured
   Grains grains;
-  Surface surface;
+  SurfaceChemistry surface;
   Vec3 gravity{0.0, 0.0, -9.81};  ///< [m/s^2]
   Walls walls = Walls::inert;
   Bonds bonds = Bonds::permanent;

@@ -14,7 +14,7 @@ constexpr int kPlanes = 400;
 constexpr int kPoints = 200;
 
 SurfacePair common_pair(const Scene& scene) {
-  const Surface& surface = scene.surface;
+  const SurfaceChemistry& surface = scene.surface;
   SurfacePair pair;
   pair.radius = 0.5 * scene.colloids->diameter;
   pair.other_radius = pair.radius;

@@ -1,0 +1,54 @@
+// What can be measured of a pore without time stepping.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "flow/wall_forces.h"
+#include "observe/critical_diameter.h"
+#include "scene/scene.h"
+#include "tiers/flow_problem.h"
+#include "tiers/regime.h"
+
+namespace colloid {
+
+/// Points at equal distances from `begin` to `end`, both included [m].
+struct Line {
+  Vec3 begin;
+  Vec3 end;
+  int points = 2;
+};
+
+struct MeasureOptions {
+  GridChoice grid;
+  std::vector<Sphere> deposit;  ///< retained colloids
+  std::optional<Line> line;     ///< where the velocity is wanted
+  int threads = 1;
+};
+
+struct ProfilePoint {
+  Vec3 position;  ///< [m]
+  Vec3 velocity;  ///< [m/s]
+};
+
+struct Measurement {
+  std::array<int, 3> cells{};
+  Vec3 spacing;  ///< [m]
+  StokesStatistics statistics;
+  double pressure_drop = 0.0;  ///< [Pa]
+  double flow_rate = 0.0;      ///< [m^3/s]
+  Vec3 superficial_velocity;   ///< [m/s]
+  double permeability = 0.0;   ///< [m^2]; not a number without a drive along an axis
+  Vec3 body_force;             ///< acting [N/m^3]
+  WallForces forces;           ///< grains first, then the deposit
+  CriticalDiameter critical;
+  Regime regime;
+  std::vector<ProfilePoint> profile;
+};
+
+/// Refuses a blocked throat whose drive holds a flux; throws ConvergenceError if the flow
+/// does not converge.
+Measurement measure(const Scene& scene, const MeasureOptions& options);
+
+}  // namespace colloid
