@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace colloid {
 
@@ -33,6 +34,14 @@ class ConvergenceError : public std::runtime_error {
 inline void require(bool ok, const std::string& where, const std::string& why) {
   if (!ok) {
     throw InputError(where, why);
+  }
+}
+
+/// The same where it is called often: `why` is a function that composes the message.
+template <class Why, class = decltype(std::string(std::declval<Why>()()))>
+void require(bool ok, const std::string& where, Why&& why) {
+  if (!ok) {
+    throw InputError(where, why());
   }
 }
 

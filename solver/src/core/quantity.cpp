@@ -4,7 +4,9 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -34,8 +36,10 @@ bool is_symbol(char c) {
 /// Recursive descent over a unit expression.
 class UnitParser {
  public:
-  UnitParser(std::string_view text, const std::string& where, const std::string& wish)
-      : text_(text), where_(where), wish_(wish) {}
+  /// `wish` composes the end of every message.
+  UnitParser(std::string_view text, const std::string& where,
+             std::function<std::string()> wish)
+      : text_(text), where_(where), wish_(std::move(wish)) {}
 
   Unit parse() {
     const Unit unit = expression(0);
@@ -48,7 +52,7 @@ class UnitParser {
  private:
   [[noreturn]] void refuse(const std::string& why) const {
     throw InputError(
-        where_, fmt::format("{} is not a unit: {}; {}", in_quotes(text_), why, wish_));
+        where_, fmt::format("{} is not a unit: {}{}", in_quotes(text_), why, wish_()));
   }
 
   void skip_spaces() {
@@ -168,7 +172,7 @@ class UnitParser {
 
   std::string_view text_;
   const std::string& where_;
-  const std::string& wish_;
+  std::function<std::string()> wish_;
   std::size_t at_ = 0;
 };
 
@@ -247,34 +251,35 @@ bool operator==(const Dimension& a, const Dimension& b) {
   return a.power == b.power;
 }
 
-Unit parse_unit(std::string_view text, const std::string& where,
-                const std::string& wish) {
-  return UnitParser(text, where, wish).parse();
+Unit parse_unit(std::string_view text, const std::string& where) {
+  return UnitParser(text, where, [] { return std::string(); }).parse();
 }
 
 double parse_quantity(std::string_view text, std::string_view si_unit, double temperature,
                       const std::string& where) {
-  const Unit expected = parse_unit(si_unit, where, "which is a bug of poreclog");
-  const std::string wish =
-      fmt::format("expected a number with a unit of {}, such as {}",
-                  name_of(expected.dimension), in_quotes(example_quantity(si_unit)));
+  const Unit expected = parse_unit(si_unit, where);
+  const auto wish = [&] {
+    return fmt::format("; expected a number with a unit of {}, such as {}",
+                       name_of(expected.dimension), in_quotes(example_quantity(si_unit)));
+  };
   const std::string_view body = trimmed(text);
   const Decimal decimal = split_decimal(body);
-  require(
-      decimal.length > 0, where,
-      fmt::format("{} does not begin with a finite number; {}", in_quotes(text), wish));
+  require(decimal.length > 0, where, [&] {
+    return in_quotes(text) + " does not begin with a finite number" + wish();
+  });
   const std::string_view unit_text = trimmed(body.substr(decimal.length));
   require(!unit_text.empty(), where,
-          fmt::format("{} has no unit; {}", in_quotes(text), wish));
+          [&] { return in_quotes(text) + " has no unit" + wish(); });
 
-  const Unit unit = parse_unit(unit_text, where, wish);
-  require(unit.dimension == expected.dimension, where,
-          fmt::format("{} is of the wrong dimension ({}); {}", in_quotes(text),
-                      name_of(unit.dimension), wish));
+  const Unit unit = UnitParser(unit_text, where, wish).parse();
+  require(unit.dimension == expected.dimension, where, [&] {
+    return fmt::format("{} is of the wrong dimension ({}){}", in_quotes(text),
+                       name_of(unit.dimension), wish());
+  });
   const std::optional<double> value = round_decimal(decimal, unit.exponent10);
   const double thermal = std::pow(kBoltzmann * temperature, unit.thermal);
   require(value && std::isfinite(*value * unit.factor * thermal), where,
-          fmt::format("{} is beyond the range of a double", in_quotes(text)));
+          [&] { return in_quotes(text) + " is beyond the range of a double"; });
   return *value * unit.factor * thermal;
 }
 

@@ -31,8 +31,8 @@ struct Unit {
   Dimension dimension;
 };
 
-/// Refuses with `where` what is not a unit expression; the message ends with `wish`.
-Unit parse_unit(std::string_view text, const std::string& where, const std::string& wish);
+/// Refuses with `where` what is not a unit expression.
+Unit parse_unit(std::string_view text, const std::string& where);
 
 /// The value of `text` in SI.  Refuses with `where` what is no finite number with a unit
 /// of the dimension of `si_unit`.  `temperature` [K] gives kT its size.

@@ -20,8 +20,8 @@ char lower(char c) {
 
 }  // namespace
 
-std::string in_quotes(std::string_view text) {
-  std::string out = "\"";
+std::string printable(std::string_view text) {
+  std::string out;
   std::size_t cut = std::min(text.size(), kLongestEcho);
   while (cut < text.size() && cut > 0 &&
          (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) {
@@ -35,7 +35,11 @@ std::string in_quotes(std::string_view text) {
       out += c;
     }
   }
-  return out + (cut < text.size() ? "...\"" : "\"");
+  return out + (cut < text.size() ? "..." : "");
+}
+
+std::string in_quotes(std::string_view text) {
+  return '"' + printable(text) + '"';
 }
 
 std::string alternatives(const std::vector<std::string>& words) {

@@ -7,7 +7,10 @@
 
 namespace colloid {
 
-/// `text` in double quotes, on one line: control characters escaped, long text cut short.
+/// `text` on one line: control characters escaped, a long text cut short.
+std::string printable(std::string_view text);
+
+/// The same in double quotes.
 std::string in_quotes(std::string_view text);
 
 /// "a, b or c"

@@ -52,8 +52,11 @@ std::size_t utf8_length(std::string_view text, std::size_t offset) {
 void require_utf8(std::string_view text, const std::string& path) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = utf8_length(text, at);
-    require(length > 0, path + " " + to_string(position_of(text, at)),
-            fmt::format("is not UTF-8 text (byte 0x{:02x})", byte_at(text, at)));
+    if (length == 0) {
+      throw InputError(
+          path + " " + to_string(position_of(text, at)),
+          fmt::format("is not UTF-8 text (byte 0x{:02x})", byte_at(text, at)));
+    }
     at += length;
   }
 }

@@ -100,11 +100,14 @@ void check_drive(const Box& box, const Drive& drive) {
 void check_spheres(const Geometry& geometry) {
   for (std::size_t i = 0; i < geometry.spheres.size(); ++i) {
     const Sphere& sphere = geometry.spheres[i];
-    const auto [x, y, z] = sphere.center;
-    require(reaches_into(geometry.box, sphere), fmt::format("/geometry/spheres/{}", i),
-            fmt::format(
-                "is entirely outside the box: center ({}, {}, {}) m, diameter {} m",
-                shortest(x), shortest(y), shortest(z), shortest(2.0 * sphere.radius)));
+    if (!reaches_into(geometry.box, sphere)) {
+      const auto [x, y, z] = sphere.center;
+      throw InputError(
+          fmt::format("/geometry/spheres/{}", i),
+          fmt::format("is entirely outside the box: center ({}, {}, {}) m, diameter {} m",
+                      shortest(x), shortest(y), shortest(z),
+                      shortest(2.0 * sphere.radius)));
+    }
   }
   require(has_void(geometry.box, geometry.spheres), "/geometry",
           "leaves no room for liquid: the grains fill the box");
@@ -133,13 +136,15 @@ void check_bodies(const Geometry& geometry, const Fidelity& fidelity) {
     }
     for (std::size_t j = 0; j < geometry.spheres.size(); ++j) {
       const double gap = surface_gap(geometry.box, body, geometry.spheres[j]);
-      require(gap >= 0.0, where,
-              fmt::format("overlaps grain {} by {} m", j, shortest(-gap)));
+      require(gap >= 0.0, where, [&] {
+        return fmt::format("overlaps grain {} by {} m", j, shortest(-gap));
+      });
     }
     for (std::size_t j = 0; j < i; ++j) {
       const double gap = surface_gap(geometry.box, body, bodies[j].sphere);
-      require(gap >= 0.0, where,
-              fmt::format("overlaps /geometry/bodies/{} by {} m", j, shortest(-gap)));
+      require(gap >= 0.0, where, [&] {
+        return fmt::format("overlaps /geometry/bodies/{} by {} m", j, shortest(-gap));
+      });
     }
   }
 }

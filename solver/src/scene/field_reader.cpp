@@ -226,8 +226,10 @@ const json* FieldReader::find(const Key& key) {
     }
     return nullptr;
   }
-  require(key.applies, pointer_to(key),
-          fmt::format("can only be given with {}", key.only_with));
+  if (!key.applies) {
+    throw InputError(pointer_to(key),
+                     fmt::format("can only be given with {}", key.only_with));
+  }
   return &*found;
 }
 
@@ -237,31 +239,36 @@ std::string FieldReader::pointer_to(const Key& key) const {
 
 double FieldReader::read_quantity(const json& value, const Measure& measure,
                                   const std::string& where, const char* word) const {
-  const std::string or_word = *word == '\0' ? "" : fmt::format(", or \"{}\"", word);
-  require(value.is_string(), where,
-          fmt::format("is {}, expected a text with a number and a unit, such as \"{}\"{}",
-                      shown(value), example_quantity(measure.unit), or_word));
+  require(value.is_string(), where, [&] {
+    return fmt::format(
+        "is {}, expected a text with a number and a unit, such as \"{}\"{}", shown(value),
+        example_quantity(measure.unit),
+        *word == '\0' ? "" : fmt::format(", or \"{}\"", word));
+  });
   const auto& given = value.get_ref<const std::string&>();
-  // A word that is not the one allowed is likelier misspelt than a quantity.
-  const bool looks_like_word =
+  // Without a digit it is a misspelt word rather than a bad quantity.
+  const bool is_other_word =
       *word != '\0' && given.find_first_of("0123456789") == std::string::npos;
-  require(!looks_like_word, where,
-          fmt::format("is {}, expected \"{}\" or a quantity such as \"{}\"; the nearest "
-                      "is \"{}\"",
-                      in_quotes(given), word, example_quantity(measure.unit), word));
+  require(!is_other_word, where, [&] {
+    return fmt::format(
+        "is {}, expected \"{}\" or a quantity such as \"{}\"; the nearest is \"{}\"",
+        in_quotes(given), word, example_quantity(measure.unit), word);
+  });
   const double si = parse_quantity(given, measure.unit, temperature_, where);
-  require(measure.range.contains(si), where,
-          fmt::format("is {}, must be in {} {}", in_quotes(given), measure.range.text(),
-                      measure.unit));
+  require(measure.range.contains(si), where, [&] {
+    return fmt::format("is {}, must be in {} {}", in_quotes(given), measure.range.text(),
+                       measure.unit);
+  });
   return si;
 }
 
 Vec3 FieldReader::read_vector(const json& value, const Measure& measure,
                               const std::string& where) const {
-  require(value.is_array() && value.size() == 3, where,
-          fmt::format("is {}, expected a list of 3 quantities (x, y, z), each such as "
-                      "\"{}\"",
-                      shown(value), example_quantity(measure.unit)));
+  require(value.is_array() && value.size() == 3, where, [&] {
+    return fmt::format(
+        "is {}, expected a list of 3 quantities (x, y, z), each such as \"{}\"",
+        shown(value), example_quantity(measure.unit));
+  });
   Vec3 out;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);

@@ -22,7 +22,8 @@ namespace {
 InputError located(const SceneFile& file, const std::string& pointer,
                    const std::string& why) {
   const TextPosition position = locate(file.text, pointer);
-  return {fmt::format("{} {}: {}", file.path, to_string(position), pointer), why};
+  return {fmt::format("{} {}: {}", file.path, to_string(position), printable(pointer)),
+          why};
 }
 
 /// Adds file and line to the refusals of `step`, which know only the JSON pointer.

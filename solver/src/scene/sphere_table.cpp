@@ -66,11 +66,14 @@ double read_cell(const std::string& cell, const char* column, const std::string&
   const char* end = cell.data() + cell.size();
   double value = 0.0;
   const auto result = std::from_chars(begin, end, value);
-  require(result.ec == std::errc{} && result.ptr == end && std::isfinite(value), where,
-          fmt::format("{} is {}, expected a finite number", column, in_quotes(cell)));
-  require(std::abs(value) <= kLargestLength, where,
-          fmt::format("{} is {}, must be in [-{:g}, {:g}] m", column, cell,
-                      kLargestLength, kLargestLength));
+  require(
+      result.ec == std::errc{} && result.ptr == end && std::isfinite(value), where, [&] {
+        return fmt::format("{} is {}, expected a finite number", column, in_quotes(cell));
+      });
+  require(std::abs(value) <= kLargestLength, where, [&] {
+    return fmt::format("{} is {}, must be in [-{:g}, {:g}] m", column, cell,
+                       kLargestLength, kLargestLength);
+  });
   return value;
 }
 
@@ -98,16 +101,18 @@ std::vector<Sphere> read_sphere_table(const std::string& path, const Box& box) {
       width = cells.size();
       continue;
     }
-    require(cells.size() == width, where,
-            fmt::format("has {} columns, expected the {} of the header", cells.size(),
-                        width));
+    require(cells.size() == width, where, [&] {
+      return fmt::format("has {} columns, expected the {} of the header", cells.size(),
+                         width);
+    });
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = read_cell(cells[places[i]], kColumns[i], where);
     }
-    require(values[3] > 0.0, where,
-            fmt::format("diameter_m is {}, must be in (0, {:g}] m", shortest(values[3]),
-                        kLargestLength));
+    require(values[3] > 0.0, where, [&] {
+      return fmt::format("diameter_m is {}, must be in (0, {:g}] m", shortest(values[3]),
+                         kLargestLength);
+    });
     spheres.push_back({{values[0], values[1], values[2]}, 0.5 * values[3]});
     require(reaches_into(box, spheres.back()), where,
             "the sphere is entirely outside the box");

@@ -38,7 +38,7 @@ TEST(Locate, FindsMembersAtTheirKeyAndElementsAtTheirValue) {
       {"/a/d/1/0", "line 2, column 29"},
       {"/a/d/2", "line 2, column 36"},
       {"/a/d/2/e~1f", "line 3, column 5"},
-      {"/a/d/3", "line 3, column 20"},
+      {"/a/d/3", "line 3, column 19"},
       {"/\xC2\xB5", "line 4, column 3"},
       {"/z", "line 4, column 11"},
   };
