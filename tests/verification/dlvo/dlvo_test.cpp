@@ -84,7 +84,7 @@ EnergyForce computed(const Row& row) {
             born_spheres_force(1.0, 0.5e-9, row.a / 2.0, h)};
   }
   const Electrolyte liquid{row.ionic_strength, 78.55, row.temperature};
-  const DoubleLayer layer{row.a, row.psi_1, row.psi_2, permittivity(liquid),
+  const DoubleLayerTerm layer{row.a, row.psi_1, row.psi_2, permittivity(liquid),
                           debye_length(liquid)};
   if (row.form == "constant_potential") {
     return {constant_potential_energy(layer, h), constant_potential_force(layer, h)};
