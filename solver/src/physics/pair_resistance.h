@@ -14,10 +14,11 @@
 // vanish. xa21 = xa12 etc. by reciprocity.  At contact (xi -> 0) xa ~ g_1/xi and the
 // others grow like ln(1/xi), except xc, which stays finite.
 //
-// One smooth expression per function and ratio, MODEL (R8): the lubrication terms of JO plus
-// a polynomial in (2/s)^2 made from their series when the object is built.  Largest error,
-// relative to the function or, where that is below 1, absolute: 3e-5 for equal spheres, 1e-4
-// for ratios from 0.1 to 10; at 20, 1e-3 in xc of the smaller sphere and 2e-4 in the others.
+// One smooth expression per function and ratio, MODEL (R8): the lubrication terms of JO
+// plus a polynomial in (2/s)^2 made from their series when the object is built.  Largest
+// error, relative to the function or, where that is below 1, absolute: 3e-5 for equal
+// spheres, 1e-4 for ratios from 0.1 to 10; at 20, 1e-3 in xc of the smaller sphere and
+// 2e-4 in the others.
 #pragma once
 
 #include <array>
