@@ -36,11 +36,11 @@ struct PairResistance {
 class TwoSphereResistance {
  public:
   /// `ratio` = lambda = a_2 / a_1, from 0.05 to 20 (beyond: the wall of
-  /// wall_resistance.h). The first object of a process takes a fifth of a second, others
+  /// wall_resistance.h). The first object of a process takes a third of a second, others
   /// a millisecond.
   explicit TwoSphereResistance(double ratio);
 
-  /// `gap` = xi = 2h / (a_1 + a_2) > 0; infinity gives the bulk.  About 0.1 microseconds.
+  /// `gap` = xi = 2h / (a_1 + a_2) > 0; infinity gives the bulk.  About 0.2 microseconds.
   PairResistance at(double gap) const;
 
   static constexpr int kFunctions = 16;
