@@ -40,6 +40,7 @@ std::vector<Sample> sample(const Function& f, double first_gap, double last_gap)
   const double u_0 = std::log(first_gap);
   const double du = (std::log(last_gap) - u_0) / (kGridPoints - 1);
   std::vector<Sample> grid;
+  grid.reserve(kGridPoints);
   for (int i = 0; i < kGridPoints; ++i) {
     grid.push_back({u_0 + i * du, f(u_0 + i * du)});
   }

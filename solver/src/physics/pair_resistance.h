@@ -16,8 +16,9 @@
 //
 // One smooth expression per function and ratio, MODEL (R8): the lubrication terms of JO
 // plus a polynomial in (2/s)^2 made from their series when the object is built.  Largest
-// error, relative to the function or, where that is below 1, absolute: 1e-5 for equal
-// spheres; see tests/verification/pair_resistance for other ratios.
+// error, relative to the function or, where that is below 1, absolute: 3e-5 for equal
+// spheres, 1e-4 for ratios from 0.1 to 10; at 20, 1e-3 in xc of the smaller sphere and
+// 2e-4 in the others.
 #pragma once
 
 #include <array>
@@ -35,11 +36,11 @@ struct PairResistance {
 class TwoSphereResistance {
  public:
   /// `ratio` = lambda = a_2 / a_1, from 0.05 to 20 (beyond: the wall of
-  /// wall_resistance.h). The first object of a process takes a fifth of a second, others
+  /// wall_resistance.h). The first object of a process takes a third of a second, others
   /// a millisecond.
   explicit TwoSphereResistance(double ratio);
 
-  /// `gap` = xi = 2h / (a_1 + a_2) > 0; infinity gives the bulk.  About 0.1 microseconds.
+  /// `gap` = xi = 2h / (a_1 + a_2) > 0; infinity gives the bulk.  About 0.2 microseconds.
   PairResistance at(double gap) const;
 
   static constexpr int kFunctions = 16;

@@ -53,15 +53,20 @@ class Coefficients {
     }
   }
 
-  /// Sum over s = 1 .. q of the coefficients times row[s].
-  double dot(int n, int q, const double* row) const {
+  /// Sum over s of the coefficients times the numbers at (s, sum - s, q); those beyond
+  /// s - 1 = sum - s vanish.  Two partial sums, so that no addition waits for the last.
+  double dot(int n, const Npq& numbers, int q, int sum) const {
     const double* factors = values_[static_cast<std::size_t>(n)].data();
-    const int end = std::min(q, last_);
-    double sum = 0.0;
-    for (int s = 1; s <= end; ++s) {
-      sum += factors[s] * row[s];
+    const double* row = numbers.row(q, sum);
+    const int end = std::min((sum + 1) / 2, last_);
+    double odd = 0.0;
+    double even = 0.0;
+    int s = 1;
+    for (; s < end; s += 2) {
+      odd += factors[s] * row[s];
+      even += factors[s + 1] * row[s + 1];
     }
-    return sum;
+    return odd + even + (s == end ? factors[s] * row[s] : 0.0);
   }
 
  private:
@@ -121,9 +126,9 @@ void fill_axial(int order, Npq& p_numbers) {
   p_numbers.set(1, 0, 0, 1.0);
   v_numbers.set(1, 0, 0, 1.0);
   ascending(order, [&](int n, int p, int q) {
-    const double from_below = below.dot(n, q, p_numbers.row(p - n - 1, q));
-    const double sum = above.dot(n, q, p_numbers.row(p - n + 1, q)) + from_below +
-                       volume.dot(n, q, v_numbers.row(p - n + 1, q - 2));
+    const double from_below = below.dot(n, p_numbers, p - n - 1, q);
+    const double sum = above.dot(n, p_numbers, p - n + 1, q) + from_below +
+                       volume.dot(n, v_numbers, p - n + 1, q - 2);
     // from_below is -n(2n-1)/(2(n+1)) times the sum that V needs 2n/((n+1)(2n+3)) of.
     p_numbers.set(n, p, q, sum);
     v_numbers.set(n, p, q, sum + 4.0 / ((2.0 * n - 1) * (2 * n + 3)) * from_below);
@@ -157,15 +162,15 @@ void fill_transverse(int order, Npq& p_numbers, Npq& v_numbers, Npq& q_numbers) 
     return -choose(int(n + s), int(n + 1)) * 3 / (2 * n * s * (n + 1));
   });
   ascending(order, [&](int n, int p, int q) {
-    const double from_below = below.dot(n, q, p_numbers.row(p - n - 1, q));
-    const double sum = above.dot(n, q, p_numbers.row(p - n + 1, q)) + from_below +
-                       volume.dot(n, q, v_numbers.row(p - n + 1, q - 2)) +
-                       spin.dot(n, q, q_numbers.row(p - n + 1, q - 1));
+    const double from_below = below.dot(n, p_numbers, p - n - 1, q);
+    const double sum = above.dot(n, p_numbers, p - n + 1, q) + from_below +
+                       volume.dot(n, v_numbers, p - n + 1, q - 2) +
+                       spin.dot(n, q_numbers, p - n + 1, q - 1);
     p_numbers.set(n, p, q, sum);
     v_numbers.set(n, p, q, sum + 4.0 / ((2.0 * n - 1) * (2 * n + 3)) * from_below);
     q_numbers.set(n, p, q,
-                  spin_of_spin.dot(n, q, q_numbers.row(p - n, q - 1)) +
-                      spin_of_force.dot(n, q, p_numbers.row(p - n, q)));
+                  spin_of_spin.dot(n, q_numbers, p - n, q - 1) +
+                      spin_of_force.dot(n, p_numbers, p - n, q));
   });
 }
 
@@ -176,7 +181,7 @@ void fill_spin(int order, Npq& q_numbers) {
   });
   q_numbers.set(1, 0, 0, 1.0);
   ascending(order, [&](int n, int p, int q) {
-    q_numbers.set(n, p, q, ways.dot(n, q, q_numbers.row(p - n, q - 1)));
+    q_numbers.set(n, p, q, ways.dot(n, q_numbers, p - n, q - 1));
   });
 }
 

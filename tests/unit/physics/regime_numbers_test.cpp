@@ -17,7 +17,8 @@ constexpr double kSpeed = 0.5e-3;
 constexpr double kViscosity = 1e-3;
 
 TEST(RegimeNumbers, AreThoseOfTheReferenceScene) {
-  EXPECT_NEAR(particle_reynolds(1000.0, kSpeed, 2.0 * kRadius, kViscosity), 0.00665, 5e-6);
+  EXPECT_NEAR(particle_reynolds(1000.0, kSpeed, 2.0 * kRadius, kViscosity), 0.00665,
+              5e-6);
   const double throat = throat_reynolds(1000.0, 4.66 * kSpeed, 40.013e-6, kViscosity);
   EXPECT_NEAR(throat, 0.0932, 5e-5);
   EXPECT_NEAR(stokes_number(1050.0, kRadius, kSpeed, kViscosity), 8e-4, 5e-5);
