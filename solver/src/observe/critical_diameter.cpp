@@ -71,7 +71,8 @@ class Search {
   void run(int most_cells) {
     while (tree_.size() < most_cells) {
       const Route route =
-          flood_ ? flood_->find(below_) : widest_loop(tree_, period_axis_, below_);
+          flood_ ? flood_->find(below_, above_)
+ : widest_loop(tree_, period_axis_, below_, above_);
       if (route.empty()) {
         above_ = below_;
         return;
