@@ -24,7 +24,8 @@ double minor2(const Vec3& a, const Vec3& b, int i, int j) {
   return a[i] * b[j] - a[j] * b[i];
 }
 
-// Weights that cancel the gradients on the axes of the basis, up to a factor: Cramer's rule.
+// Weights that cancel the gradients on the axes of the basis, up to a factor: Cramer's
+// rule.
 void cancelling_weights(const std::array<Vec3, 4>& g, Basis& basis) {
   const int i = basis.axis[0];
   const int j = basis.axis[1];
@@ -75,52 +76,6 @@ bool weigh(const LinearMaxMin& lp, Basis& basis) {
   return true;
 }
 
-// Tries every set of axes of positive width for the members of a basis.
-void try_axes(const LinearMaxMin& lp, Basis& basis, Basis& best) {
-  constexpr std::array<std::array<std::array<int, 3>, 3>, 4> kAxes = {{
-      {{{0, 0, 0}}},
-      {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}},
-      {{{0, 1, 0}, {1, 2, 0}, {0, 2, 0}}},
-      {{{0, 1, 2}}},
-  }};
-  constexpr std::array<int, 4> kSets = {1, 3, 3, 1};
-  for (int set = 0; set < kSets[basis.count - 1]; ++set) {
-    basis.axis = kAxes[basis.count - 1][set];
-    bool wide = true;
-    for (int k = 0; k < basis.count - 1; ++k) {
-      wide = wide && lp.half[basis.axis[k]] > 0.0;
-    }
-    if (wide && weigh(lp, basis) && basis.optimum < best.optimum) {
-      best = basis;
-    }
-  }
-}
-
-// The best basis that contains surface `last` and surfaces before it.
-Basis best_with(const LinearMaxMin& lp, int last) {
-  Basis best;
-  Basis basis;
-  const auto try_members = [&](int count) {
-    basis.count = count;
-    try_axes(lp, basis, best);
-  };
-  basis.member[0] = last;
-  try_members(1);
-  for (int i = 0; i < last; ++i) {
-    basis.member[1] = i;
-    try_members(2);
-    for (int j = i + 1; j < last; ++j) {
-      basis.member[2] = j;
-      try_members(3);
-      for (int k = j + 1; k < last; ++k) {
-        basis.member[3] = k;
-        try_members(4);
-      }
-    }
-  }
-  return best;
-}
-
 // The primal step of a basis: on its axes the members are brought to one value, on the
 // others it goes to the end.  Cramer's rule on the differences from the first member.
 Vec3 step_of(const LinearMaxMin& lp, const Basis& basis) {
@@ -130,7 +85,8 @@ Vec3 step_of(const LinearMaxMin& lp, const Basis& basis) {
     step[axis] = slope == 0.0 ? 0.0 : std::copysign(lp.half[axis], slope);
   }
   const int n = basis.count - 1;
-  std::array<Vec3, 3> column = {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}};
+  std::array<Vec3, 3> column = {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0},
+                                Vec3{0.0, 0.0, 1.0}};
   Vec3 difference;
   const int base = basis.member[0];
   for (int row = 0; row < n; ++row) {
@@ -152,9 +108,79 @@ Vec3 step_of(const LinearMaxMin& lp, const Basis& basis) {
   return step;
 }
 
+// What the step of a basis attains with the surfaces up to `last`.
+double attained(const LinearMaxMin& lp, const Basis& basis, int last) {
+  const Vec3 step = step_of(lp, basis);
+  double least = kInfinite;
+  for (int s = 0; s <= last; ++s) {
+    least = std::min(least, lp.value[s] + dot(lp.gradient[s], step));
+  }
+  return least;
+}
+
+// Whether a basis has a smaller optimum.  Several bases may share the optimum, as in the
+// middle of a square, while the step of only some of them attains it: then that decides.
+bool is_better(const LinearMaxMin& lp, const Basis& basis, const Basis& best, int last) {
+  if (best.count == 0) {
+    return true;
+  }
+  const double tie = 1e-12 * norm(lp.half) + 1e-15 * std::abs(best.optimum);
+  if (std::abs(basis.optimum - best.optimum) > tie) {
+    return basis.optimum < best.optimum;
+  }
+  return attained(lp, basis, last) > attained(lp, best, last);
+}
+
+// Tries every set of axes of positive width for the members of a basis.
+void try_axes(const LinearMaxMin& lp, Basis& basis, Basis& best, int last) {
+  constexpr std::array<std::array<std::array<int, 3>, 3>, 4> kAxes = {{
+      {{{0, 0, 0}}},
+      {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}},
+      {{{0, 1, 0}, {1, 2, 0}, {0, 2, 0}}},
+      {{{0, 1, 2}}},
+  }};
+  constexpr std::array<int, 4> kSets = {1, 3, 3, 1};
+  for (int set = 0; set < kSets[basis.count - 1]; ++set) {
+    basis.axis = kAxes[basis.count - 1][set];
+    bool wide = true;
+    for (int k = 0; k < basis.count - 1; ++k) {
+      wide = wide && lp.half[basis.axis[k]] > 0.0;
+    }
+    if (wide && weigh(lp, basis) && is_better(lp, basis, best, last)) {
+      best = basis;
+    }
+  }
+}
+
+// The best basis that contains surface `last` and surfaces before it.
+Basis best_with(const LinearMaxMin& lp, int last) {
+  Basis best;
+  Basis basis;
+  const auto try_members = [&](int count) {
+    basis.count = count;
+    try_axes(lp, basis, best, last);
+  };
+  basis.member[0] = last;
+  try_members(1);
+  for (int i = 0; i < last; ++i) {
+    basis.member[1] = i;
+    try_members(2);
+    for (int j = i + 1; j < last; ++j) {
+      basis.member[2] = j;
+      try_members(3);
+      for (int k = j + 1; k < last; ++k) {
+        basis.member[3] = k;
+        try_members(4);
+      }
+    }
+  }
+  return best;
+}
+
 // The linear programme at a point: the surfaces that may matter within `half`.
 LinearMaxMin linearise(const std::vector<Surface>& surfaces, const int* some, int count,
-                       const Vec3& point, const Vec3& half, std::array<int, LinearMaxMin::kMost>& chosen) {
+                       const Vec3& point, const Vec3& half,
+                       std::array<int, LinearMaxMin::kMost>& chosen) {
   LinearMaxMin lp;
   lp.half = half;
   const double range = 2.0 * norm(half);
@@ -191,7 +217,7 @@ LinearMaxMin::Solution LinearMaxMin::solve() const {
       continue;
     }
     const Basis better = best_with(*this, s);
-    if (better.optimum < best.optimum) {
+    if (is_better(*this, better, best, s)) {
       best = better;
       solution.step = step_of(*this, best);
     }

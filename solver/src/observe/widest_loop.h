@@ -6,7 +6,8 @@
 namespace colloid {
 
 /// Finds the closed route around the period of `axis` whose smallest upper bound is
-/// largest; empty if none has a bound above `floor` [m].  It is known to be at most `ceiling` [m] wide.
+/// largest; empty if none has a bound above `floor` [m].  It is known to be at most
+/// `ceiling` [m] wide.
 ///
 /// Cells join in order of falling upper bound.  A union-find keeps for each cell how many
 /// periods lie between it and the root of its set; the first cell that joins two cells of

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "gtest/gtest.h"
-
 #include "observe/clearance.h"
 #include "observe/max_min.h"
 #include "packings.h"
@@ -34,8 +33,9 @@ double clearance_in(const Scene& scene, const Vec3& point) {
   return least;
 }
 
-// No sample of a cell exceeds its upper bound; no sample falls below what `climb` attains by
-// more than sampling explains (it is a local maximum: only the point itself is checked).
+// No sample of a cell exceeds its upper bound; no sample falls below what `climb` attains
+// by more than sampling explains (it is a local maximum: only the point itself is
+// checked).
 TEST(Bounds, HoldAtRandomPointsOfRandomCells) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 2000; ++trial) {
@@ -61,8 +61,8 @@ TEST(Bounds, HoldAtRandomPointsOfRandomCells) {
   }
 }
 
-// At a bottleneck of three spheres the bound closes with the square of the cell: a tenth of
-// the size, a hundredth of the excess.  With one surface alone it would be a tenth.
+// At a bottleneck of three spheres the bound closes with the square of the cell: a tenth
+// of the size, a hundredth of the excess.  With one surface alone it would be a tenth.
 TEST(Bounds, CloseAtSecondOrder) {
   const std::vector<Sphere> spheres = {
       {{0, 0, 0}, 0.5}, {{1.1, 0, 0}, 0.55}, {{0.4, 0.9, 0}, 0.4}};

@@ -40,7 +40,8 @@ class Grid {
     for (int k = around ? 0 : points_[2] - 1; k < points_[2]; ++k) {
       for (int j = 0; j < points_[1]; ++j) {
         for (int i = 0; i < points_[0]; ++i) {
-          if (turns[index({i, j, k})] != kUnseen || clearance_[index({i, j, k})] < clearance) {
+          if (turns[index({i, j, k})] != kUnseen ||
+              clearance_[index({i, j, k})] < clearance) {
             continue;
           }
           turns[index({i, j, k})] = 0;

@@ -41,7 +41,8 @@ Packing clogging_throat(int colloids, std::uint64_t seed, double diameter) {
       const double reach = other.radius + a;
       const double aside = std::hypot(place.x - other.center.x, place.y - other.center.y);
       if (aside < reach) {
-        place.z = std::max(place.z, other.center.z + std::sqrt(reach * reach - aside * aside));
+        place.z =
+            std::max(place.z, other.center.z + std::sqrt(reach * reach - aside * aside));
       }
     }
     if (place.z > a && place.z < throat.box.size.z - a) {

@@ -26,8 +26,8 @@ Box periodic_box(const Vec3& size);
 /// Four collectors on the vertical edges of a box of four walls, touching each other.
 Packing empty_throat();
 /// The throat with colloids of the given diameter [m] that fall straight down from random
-/// places until they touch a collector, a colloid (0: none falls through for ever: at most
-/// 100 tries each) and stay there: touching to rounding.
+/// places until they touch a collector, a colloid (0: none falls through for ever: at
+/// most 100 tries each) and stay there: touching to rounding.
 Packing clogging_throat(int colloids, std::uint64_t seed, double diameter = kColloid);
 
 /// Spheres of random radii and places, also outside the box; some are moved to touch an

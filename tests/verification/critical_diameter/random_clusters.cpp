@@ -1,15 +1,15 @@
 // Random clusters against a dense grid, and what must not change l_c.
 //
-// Reference  grid_search.h: clearances at grid points, breadth-first search, its own bounds.
-// Tolerance  none: the solver's interval must meet the grid's, at two resolutions.  The
+// Reference  grid_search.h: clearances at grid points, breadth-first search, its own
+// bounds. Tolerance  none: the solver's interval must meet the grid's, at two
+// resolutions.  The
 //            grid's is some per cent wide; an error of 1e-9 in the solver's upper bounds
 //            shows where the box is cut differently through the same packing, below.
 #include <algorithm>
 #include <cmath>
 
-#include "gtest/gtest.h"
-
 #include "grid_search.h"
+#include "gtest/gtest.h"
 #include "observe/critical_diameter.h"
 #include "packings.h"
 
@@ -55,11 +55,11 @@ TEST_P(RandomClusters, AgreeWithADenseGridAtTwoResolutions) {
       EXPECT_LE(found.value, std::max(0.0, grid.high)) << "seed " << seed;
       EXPECT_GE(found.value + found.error, grid.low) << "seed " << seed;
     }
-    const double smallest = std::min_element(packing.spheres.begin(), packing.spheres.end(),
-                                             [](const Sphere& a, const Sphere& b) {
-                                               return a.radius < b.radius;
-                                             })
-                                ->radius;
+    const double smallest =
+        std::min_element(
+            packing.spheres.begin(), packing.spheres.end(),
+            [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })
+            ->radius;
     EXPECT_LE(found.error, 2e-9 * smallest * (1.0 + 1e-6)) << "seed " << seed;
     open += found.blocked ? 0 : 1;
   }
@@ -73,8 +73,7 @@ TEST_P(RandomClusters, PermutedAxesAndOtherUnitsChangeNothing) {
     CriticalDiameterOptions options;
     options.flow_axis = 0;
     const Packing turned = permuted(packing);
-    const CriticalDiameter other =
-        critical_diameter(turned.box, turned.spheres, options);
+    const CriticalDiameter other = critical_diameter(turned.box, turned.spheres, options);
     EXPECT_NEAR(found.value, other.value, found.error + other.error + 1e-13);
     Packing small = packing;
     small.box.size *= 1e-7;
@@ -83,7 +82,8 @@ TEST_P(RandomClusters, PermutedAxesAndOtherUnitsChangeNothing) {
       sphere.radius *= 1e-7;
     }
     const CriticalDiameter scaled = critical_diameter(small.box, small.spheres);
-    EXPECT_NEAR(found.value, 1e7 * scaled.value, found.error + 1e7 * scaled.error + 1e-13);
+    EXPECT_NEAR(found.value, 1e7 * scaled.value,
+                found.error + 1e7 * scaled.error + 1e-13);
   }
 }
 
@@ -105,7 +105,8 @@ TEST_P(RandomClusters, AnotherSphereNeverWidensThem) {
 
 INSTANTIATE_TEST_SUITE_P(Boxes, RandomClusters, testing::Values(0, 1, 2, 3, 4));
 
-// Shifted along its periods the packing is cut by other cells: both bounds are put to test.
+// Shifted along its periods the packing is cut by other cells: both bounds are put to
+// test.
 TEST(PeriodicClusters, AnyShiftChangesNothing) {
   for (std::uint64_t seed = 31; seed <= 38; ++seed) {
     const Packing packing = random_packing(2, seed);
@@ -129,7 +130,8 @@ TEST(PeriodicClusters, LoopsMayWindMoreThanOnce) {
   Packing doubled = packing;
   doubled.box.size.z *= 2.0;
   for (const Sphere& sphere : packing.spheres) {
-    doubled.spheres.push_back({sphere.center + Vec3{0, 0, packing.box.size.z}, sphere.radius});
+    doubled.spheres.push_back(
+        {sphere.center + Vec3{0, 0, packing.box.size.z}, sphere.radius});
   }
   const CriticalDiameter one = critical_diameter(packing.box, packing.spheres);
   const CriticalDiameter two = critical_diameter(doubled.box, doubled.spheres);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-
 #include "observe/clearance.h"
 #include "observe/critical_diameter.h"
 #include "packings.h"
@@ -14,8 +13,8 @@ namespace {
 
 constexpr double kHole = (1.41421356237309504880 - 1.0) * kCollector;
 
-// The path is an open polygon from inlet to outlet; its clearance is sampled, and so is at
-// least the stated one.
+// The path is an open polygon from inlet to outlet; its clearance is sampled, and so is
+// at least the stated one.
 void expect_path_to_keep(const Packing& packing, const CriticalDiameter& found) {
   ASSERT_GE(found.path.size(), 2U);
   EXPECT_DOUBLE_EQ(found.path.front().z, packing.box.size.z);
@@ -89,8 +88,8 @@ TEST(Throat, TouchingClusterOfFourAcrossIt) {
 }
 
 TEST(Throat, BlockedWhenEverySurfaceTouches) {
-  // A sphere whose section with the plane of the throat covers the square exactly up to its
-  // corners: it closes the throat, to rounding, at a single ring of points.
+  // A sphere whose section with the plane of the throat covers the square exactly up to
+  // its corners: it closes the throat, to rounding, at a single ring of points.
   for (const double slack : {-1e-6, 0.0, 1e-15}) {
     Packing throat = empty_throat();
     throat.spheres.clear();

@@ -1,10 +1,9 @@
 // The voxel method on a clogging throat: the resolution of the paper's images.
 //
-// Reference  grid_search.h at 0.483 um, the voxel edge that Liu, Shikhov & Arns (2024) use.
-// Tolerance  none: its bounds are half a voxel below and half a diagonal above.
-#include "gtest/gtest.h"
-
+// Reference  grid_search.h at 0.483 um, the voxel edge that Liu, Shikhov & Arns (2024)
+// use. Tolerance  none: its bounds are half a voxel below and half a diagonal above.
 #include "grid_search.h"
+#include "gtest/gtest.h"
 #include "observe/critical_diameter.h"
 
 namespace colloid {
