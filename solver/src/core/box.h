@@ -25,9 +25,7 @@ struct Box {
   Vec3 size;                                ///< edge lengths [m]
   std::array<FaceCondition, kFaces> faces;  ///< periodic only in pairs
 
-  bool periodic(int axis) const {
-    return faces[static_cast<std::size_t>(2 * axis)] == FaceCondition::periodic;
-  }
+  bool periodic(int axis) const { return face(2 * axis) == FaceCondition::periodic; }
   FaceCondition face(int index) const { return faces[static_cast<std::size_t>(index)]; }
 };
 

@@ -268,9 +268,8 @@ Summit climb(const std::vector<Surface>& surfaces, const int* some, int count,
   summit.clearance = clearance_at(summit.point);
   std::array<int, LinearMaxMin::kMost> chosen = {};
   for (int step = 0; step < kSteps && count > 0; ++step) {
-    // The step must end inside the extent: the largest box around the point that does not
-    // leave it would shrink to nothing at a face, so the programme is set up at the
-    // centre.
+    // Linearised at the summit, stated at the centre: there the extent is a symmetric
+    // box.
     const Vec3 center = extent.center();
     LinearMaxMin lp =
         linearise(surfaces, some, count, summit.point, extent.hi - extent.lo, chosen);

@@ -25,11 +25,8 @@ void expect_exact(const CriticalDiameter& found, double exact, double diameter) 
   EXPECT_GE(found.value + found.error, exact - 1e-13 * diameter);
 }
 
-// Three touching spheres in a plane; large spheres close the gaps around them only if the
-// test said so: instead the box is the triangle's neighbourhood and its rim is closed by
-// the mirror images that the symmetry of a hexagonal layer gives.
+// A hexagonal layer is periodic in a rectangle d x sqrt(3) d; its pores are triangles.
 TEST(KnownPackings, ThreeTouchingSpheres) {
-  // A hexagonal layer is periodic in a rectangle d x sqrt(3) d; its pores are triangles.
   const double d = 2.0;
   Packing layer{periodic_box({d, std::sqrt(3.0) * d, 4.0 * d}), {}};
   layer.spheres = {{{0.3, 0.2, 1.1}, 0.5 * d},
@@ -58,13 +55,13 @@ TEST(KnownPackings, QuarterOfTheThroatBetweenSymmetryFaces) {
   EXPECT_THAT(found.surfaces, testing::SizeIs(1));
 }
 
-// A sphere that rolls through between two touching spheres and the plane they stand on:
-// r = d/8, the middle circle of two equal ones on a line.
+// The middle one of three spheres that touch each other and a plane, the outer two equal:
+// their points on the plane are d/2 and sqrt(d d_c) apart, so d_c = d/4.
 TEST(KnownPackings, TwoTouchingSpheresOnAPlane) {
   const double d = 1.0;
   Packing scene{flow_box({d, 0.5 * d, 3.0 * d}, kOpen), {}};
   scene.box.faces[y_minus] =
-      kWall;  // the plane; the other side is closed by a big sphere
+      kWall;  // the plane; at the other side they touch the box's face
   scene.spheres = {{{0, 0.5 * d, 1.5 * d}, 0.5 * d}, {{d, 0.5 * d, 1.5 * d}, 0.5 * d}};
   const CriticalDiameter found = critical_diameter(scene.box, scene.spheres);
   expect_exact(found, 0.25 * d, d);
@@ -85,10 +82,10 @@ TEST(KnownPackings, SimpleCubicAndBodyCentredLattices) {
     along.flow_axis = axis;
     expect_exact(critical_diameter(simple.box, simple.spheres, along),
                  (std::sqrt(2.0) - 1.0) * d, d);
-    // The window is a triangle of sides d, d, a: its circumradius is 0.612372 d.
-    const double circumradius = 0.5 * d / std::sqrt(1.0 - 0.25 * a * a / (d * d));
+    // The window is a triangle of sides d, d, a: circumradius d d / (2 height over a).
+    const double height = std::sqrt(d * d - 0.25 * a * a);
     const CriticalDiameter found = critical_diameter(centred.box, centred.spheres, along);
-    expect_exact(found, 2.0 * (circumradius * d / a * a / d) - d, d);
+    expect_exact(found, 2.0 * (d * d / (2.0 * height)) - d, d);
     EXPECT_NEAR(found.value / d, 0.224745, 5e-7);
   }
 }

@@ -25,9 +25,10 @@ Box periodic_box(const Vec3& size);
 
 /// Four collectors on the vertical edges of a box of four walls, touching each other.
 Packing empty_throat();
-/// The throat with colloids of the given diameter [m] that fall straight down from random
-/// places until they touch a collector, a colloid (0: none falls through for ever: at
-/// most 100 tries each) and stay there: touching to rounding.
+/// The throat with at most so many colloids of the given diameter [m]: each falls
+/// straight down from a random place and stays where it first touches a collector or a
+/// colloid, to rounding; those that fall through are drawn again, a hundred times the
+/// count in all.
 Packing clogging_throat(int colloids, std::uint64_t seed, double diameter = kColloid);
 
 /// Spheres of random radii and places, also outside the box; some are moved to touch an

@@ -124,8 +124,8 @@ TEST(PeriodicClusters, AnyShiftChangesNothing) {
   }
 }
 
-// A helix of gaps: the way around the period closes only after two turns.
-TEST(PeriodicClusters, LoopsMayWindMoreThanOnce) {
+// Two periods as one: a way that closes after two turns closes after one.
+TEST(PeriodicClusters, DoubledPeriodChangesNothing) {
   const Packing packing = random_packing(2, 41);
   Packing doubled = packing;
   doubled.box.size.z *= 2.0;

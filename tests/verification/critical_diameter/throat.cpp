@@ -31,9 +31,8 @@ void expect_path_to_keep(const Packing& packing, const CriticalDiameter& found) 
               found.value, 1e-13 * kColloid);
 }
 
-// A sphere in the middle of the hole, one per cent smaller or larger than it.  Beside it,
-// a sphere passes that touches it, and two collectors (by symmetry in the plane of the
-// throat): centre at (c, d/2), radius r: c + r... solved by bisection below.
+// A sphere in the middle of the hole, one per cent smaller or larger than it: what passes
+// beside it touches it and, by symmetry, is on the line from it to the middle of a wall.
 TEST(Throat, ColloidOfTheSizeOfTheHole) {
   for (const double scale : {0.99, 1.0, 1.01}) {
     Packing throat = empty_throat();
@@ -69,9 +68,9 @@ TEST(Throat, ColloidPassesOnlyIfItIsSmallerThanTheHole) {
   expect_path_to_keep(throat, found);
 }
 
-// Four colloids in a square in the throat's plane, touching each other; the ways left are
-// the hole among them and those at their sides, each found by the grid in another test.
-// Here: the hole among the four is a lower bound, and it is open however they touch.
+// Four colloids in a square in the throat's plane, touching each other and the
+// collectors: the hole among them stays open, so l_c is at least that; beside them it may
+// be wider.
 TEST(Throat, TouchingClusterOfFourAcrossIt) {
   Packing throat = empty_throat();
   const double a = 0.5 * kHole / (1.0 + std::sqrt(2.0));  // touches the collectors too
