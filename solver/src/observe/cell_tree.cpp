@@ -66,11 +66,20 @@ int CellTree::crossing(int cell, const Link& link) const {
   return is_upper(link.face) ? 1 : -1;
 }
 
-void CellTree::sharpen(int cell) {
+void CellTree::sharpen(int cell, double ceiling) {
   Cell& c = cells_[static_cast<std::size_t>(cell)];
-  if (!c.sharp) {
-    c.upper = std::min(
-        c.upper, upper_clearance(surfaces_, surfaces_in(cell), c.count, extent(cell)));
+  if (c.sharp) {
+    return;
+  }
+  const Extent e = extent(cell);
+  const Vec3 center = e.center();
+  double attained = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < c.count && attained > ceiling; ++i) {
+    attained = std::min(attained, distance(surfaces_[surfaces_in(cell)[i]], center));
+  }
+  if (attained <= ceiling) {
+    const double bound = upper_clearance(surfaces_, surfaces_in(cell), c.count, e);
+    c.upper = std::min(c.upper, bound);
     c.sharp = true;
   }
 }

@@ -52,8 +52,8 @@ class CellTree {
   /// periods.
   int crossing(int cell, const Link& link) const;
 
-  /// Brings `upper` to second order.
-  void sharpen(int cell);
+  /// Brings `upper` to second order, unless it would stay above `ceiling` [m] anyway.
+  void sharpen(int cell, double ceiling);
   bool can_split(int cell) const;
   /// Replaces a leaf by its children, halved along its long sides; those whose clearance
   /// cannot exceed `floor` [m] are dropped.  Returns the first child; the rest follow it.

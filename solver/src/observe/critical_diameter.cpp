@@ -70,8 +70,8 @@ class Search {
 
   void run(int most_cells) {
     while (tree_.size() < most_cells) {
-      const Route route =
-          flood_ ? flood_->find(below_) : widest_loop(tree_, period_axis_, below_);
+      const Route route = flood_ ? flood_->find(below_, above_)
+                                 : widest_loop(tree_, period_axis_, below_, above_);
       if (route.empty()) {
         above_ = below_;
         return;
@@ -192,7 +192,7 @@ CriticalDiameter critical_diameter(const Box& box, const std::vector<Sphere>& sp
     return result;
   }
   const double reference = reference_length(box, spheres);
-  const double tolerance = 0.5 * options.tolerance * reference;
+  const double tolerance = 0.25 * options.tolerance * reference;
   double above = kInfinite;
   if (options.before != nullptr) {
     const CriticalDiameter& before = *options.before;
@@ -209,7 +209,7 @@ CriticalDiameter critical_diameter(const Box& box, const std::vector<Sphere>& sp
   result.error = 2.0 * (search.above() - search.below());
   if (search.best().points.empty()) {
     result.error = 2.0 * search.above();
-    result.blocked = search.above() <= tolerance;
+    result.blocked = search.above() <= 2.0 * tolerance;
     return result;
   }
   result.value = 2.0 * search.below();

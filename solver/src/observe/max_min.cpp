@@ -9,142 +9,146 @@ namespace colloid {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-using Matrix = std::array<std::array<double, 5>, 4>;  // augmented by the right-hand side
-
-// Gauss with row pivoting; false if singular to rounding.
-bool solve_small(Matrix& m, int n, std::array<double, 4>& x) {
-  constexpr double kSingular = 1e-13;  // gradients have length one
-  for (int col = 0; col < n; ++col) {
-    int best = col;
-    for (int row = col + 1; row < n; ++row) {
-      if (std::abs(m[row][col]) > std::abs(m[best][col])) {
-        best = row;
-      }
-    }
-    if (std::abs(m[best][col]) < kSingular) {
-      return false;
-    }
-    std::swap(m[best], m[col]);
-    for (int row = col + 1; row < n; ++row) {
-      const double factor = m[row][col] / m[col][col];
-      for (int k = col; k <= n; ++k) {
-        m[row][k] -= factor * m[col][k];
-      }
-    }
-  }
-  for (int row = n - 1; row >= 0; --row) {
-    double sum = m[row][n];
-    for (int k = row + 1; k < n; ++k) {
-      sum -= m[row][k] * x[k];
-    }
-    x[row] = sum / m[row][row];
-  }
-  return true;
-}
-
+// A programme's basis: `count` surfaces with weight, and count - 1 axes on which their
+// weighted gradients cancel.
 struct Basis {
-  int count = 0;                   // of surfaces
-  std::array<int, 4> member = {};  // surfaces with weight
-  std::array<int, 3> axis = {};    // count - 1 axes on which the gradients cancel
+  int count = 0;
+  std::array<int, 4> member = {};
+  std::array<int, 3> axis = {};
   std::array<double, 4> weight = {};
   Vec3 sum;  // of weighted gradients
   double optimum = kInfinite;
 };
 
-// The dual weights of a basis; the optimum stays infinite if they are not all positive.
-void weigh(const LinearMaxMin& lp, Basis& basis) {
-  Matrix m = {};
-  const int n = basis.count;
-  for (int col = 0; col < n; ++col) {
-    for (int row = 0; row < n - 1; ++row) {
-      m[row][col] = lp.gradient[basis.member[col]][basis.axis[row]];
-    }
-    m[n - 1][col] = 1.0;
+double minor2(const Vec3& a, const Vec3& b, int i, int j) {
+  return a[i] * b[j] - a[j] * b[i];
+}
+
+// Weights that cancel the gradients on the axes of the basis, up to a factor: Cramer's
+// rule.
+void cancelling_weights(const std::array<Vec3, 4>& g, Basis& basis) {
+  const int i = basis.axis[0];
+  const int j = basis.axis[1];
+  if (basis.count == 1) {
+    basis.weight = {1.0, 0.0, 0.0, 0.0};
+  } else if (basis.count == 2) {
+    basis.weight = {g[1][i], -g[0][i], 0.0, 0.0};
+  } else if (basis.count == 3) {
+    basis.weight = {minor2(g[1], g[2], i, j), minor2(g[2], g[0], i, j),
+                    minor2(g[0], g[1], i, j), 0.0};
+  } else {
+    basis.weight = {dot(g[1], cross(g[2], g[3])), -dot(g[0], cross(g[2], g[3])),
+                    dot(g[0], cross(g[1], g[3])), -dot(g[0], cross(g[1], g[2]))};
   }
-  m[n - 1][n] = 1.0;
-  basis.optimum = kInfinite;
-  if (!solve_small(m, n, basis.weight)) {
-    return;
+}
+
+// The dual weights of a basis and their optimum; false if they are not all of one sign.
+bool weigh(const LinearMaxMin& lp, Basis& basis) {
+  constexpr double kSingular = 1e-13;  // gradients have length one
+  std::array<Vec3, 4> g;
+  for (int s = 0; s < basis.count; ++s) {
+    g[s] = lp.gradient[basis.member[s]];
+  }
+  cancelling_weights(g, basis);
+  double total = 0.0;
+  double magnitude = 0.0;
+  for (int s = 0; s < basis.count; ++s) {
+    total += basis.weight[s];
+    magnitude += std::abs(basis.weight[s]);
+  }
+  if (magnitude < kSingular || std::abs(total) < magnitude * (1.0 - 1e-15)) {
+    return false;
   }
   double optimum = 0.0;
   basis.sum = {};
-  for (int i = 0; i < n; ++i) {
-    if (basis.weight[i] < 0.0) {
-      return;
-    }
-    optimum += basis.weight[i] * lp.value[basis.member[i]];
-    basis.sum += basis.weight[i] * lp.gradient[basis.member[i]];
+  for (int s = 0; s < basis.count; ++s) {
+    basis.weight[s] = std::max(0.0, basis.weight[s] / total);
+    optimum += basis.weight[s] * lp.value[basis.member[s]];
+    basis.sum += basis.weight[s] * g[s];
   }
-  for (int row = 0; row < n - 1; ++row) {
-    basis.sum[basis.axis[row]] = 0.0;
+  for (int k = 0; k < basis.count - 1; ++k) {
+    basis.sum[basis.axis[k]] = 0.0;
   }
   for (int axis = 0; axis < 3; ++axis) {
     optimum += lp.half[axis] * std::abs(basis.sum[axis]);
   }
   basis.optimum = optimum;
+  return true;
 }
 
-// The primal step of a basis: all members reach the optimum together.
+// The primal step of a basis: on its axes the members are brought to one value, on the
+// others it goes to the end.  Cramer's rule on the differences from the first member.
 Vec3 step_of(const LinearMaxMin& lp, const Basis& basis) {
   Vec3 step;
   for (int axis = 0; axis < 3; ++axis) {
-    step[axis] =
-        basis.sum[axis] == 0.0 ? 0.0 : std::copysign(lp.half[axis], basis.sum[axis]);
+    const double slope = basis.sum[axis];
+    step[axis] = slope == 0.0 ? 0.0 : std::copysign(lp.half[axis], slope);
   }
-  Matrix m = {};
-  const int n = basis.count;
+  const int n = basis.count - 1;
+  std::array<Vec3, 3> column = {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0},
+                                Vec3{0.0, 0.0, 1.0}};
+  Vec3 difference;
+  const int base = basis.member[0];
   for (int row = 0; row < n; ++row) {
-    const int s = basis.member[row];
-    for (int col = 0; col < n - 1; ++col) {
-      m[row][col] = lp.gradient[s][basis.axis[col]];
+    const int s = basis.member[row + 1];
+    const Vec3 slope = lp.gradient[s] - lp.gradient[base];
+    for (int col = 0; col < n; ++col) {
+      column[col][row] = slope[basis.axis[col]];
     }
-    m[row][n - 1] = -1.0;
-    m[row][n] = -lp.value[s] - dot(lp.gradient[s], step);
+    difference[row] = lp.value[base] - lp.value[s] - dot(slope, step);
   }
-  std::array<double, 4> x = {};
-  if (n > 1 && solve_small(m, n, x)) {
-    for (int col = 0; col < n - 1; ++col) {
-      const double half = lp.half[basis.axis[col]];
-      step[basis.axis[col]] = std::clamp(x[col], -half, half);
-    }
+  const double determinant = dot(column[0], cross(column[1], column[2]));
+  for (int col = 0; col < n && determinant != 0.0; ++col) {
+    std::array<Vec3, 3> replaced = column;
+    replaced[col] = difference;
+    const double x = dot(replaced[0], cross(replaced[1], replaced[2])) / determinant;
+    const double half = lp.half[basis.axis[col]];
+    step[basis.axis[col]] = std::clamp(x, -half, half);
   }
   return step;
 }
 
+// What the step of a basis attains with the surfaces up to `last`.
+double attained(const LinearMaxMin& lp, const Basis& basis, int last) {
+  const Vec3 step = step_of(lp, basis);
+  double least = kInfinite;
+  for (int s = 0; s <= last; ++s) {
+    least = std::min(least, lp.value[s] + dot(lp.gradient[s], step));
+  }
+  return least;
+}
+
+// Whether a basis has a smaller optimum.  Several bases may share the optimum, as in the
+// middle of a square, while the step of only some of them attains it: then that decides.
+bool is_better(const LinearMaxMin& lp, const Basis& basis, const Basis& best, int last) {
+  if (best.count == 0) {
+    return true;
+  }
+  const double tie = 1e-12 * norm(lp.half) + 1e-15 * std::abs(best.optimum);
+  if (std::abs(basis.optimum - best.optimum) > tie) {
+    return basis.optimum < best.optimum;
+  }
+  return attained(lp, basis, last) > attained(lp, best, last);
+}
+
 // Tries every set of axes of positive width for the members of a basis.
-void try_axes(const LinearMaxMin& lp, Basis& basis, Basis& best) {
-  const auto keep_better = [&] {
-    weigh(lp, basis);
-    if (basis.optimum < best.optimum) {
+void try_axes(const LinearMaxMin& lp, Basis& basis, Basis& best, int last) {
+  constexpr std::array<std::array<std::array<int, 3>, 3>, 4> kAxes = {{
+      {{{0, 0, 0}}},
+      {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}},
+      {{{0, 1, 0}, {1, 2, 0}, {0, 2, 0}}},
+      {{{0, 1, 2}}},
+  }};
+  constexpr std::array<int, 4> kSets = {1, 3, 3, 1};
+  for (int set = 0; set < kSets[basis.count - 1]; ++set) {
+    basis.axis = kAxes[basis.count - 1][set];
+    bool wide = true;
+    for (int k = 0; k < basis.count - 1; ++k) {
+      wide = wide && lp.half[basis.axis[k]] > 0.0;
+    }
+    if (wide && weigh(lp, basis) && is_better(lp, basis, best, last)) {
       best = basis;
     }
-  };
-  if (basis.count == 1) {
-    keep_better();
-    return;
-  }
-  std::array<int, 3> wide = {};
-  int n = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (lp.half[axis] > 0.0) {
-      wide[n++] = axis;
-    }
-  }
-  if (basis.count == 2) {
-    for (int i = 0; i < n; ++i) {
-      basis.axis = {wide[i], 0, 0};
-      keep_better();
-    }
-  } else if (basis.count == 3) {
-    for (int i = 0; i < n; ++i) {
-      for (int j = i + 1; j < n; ++j) {
-        basis.axis = {wide[i], wide[j], 0};
-        keep_better();
-      }
-    }
-  } else if (n == 3) {
-    basis.axis = {0, 1, 2};
-    keep_better();
   }
 }
 
@@ -152,21 +156,21 @@ void try_axes(const LinearMaxMin& lp, Basis& basis, Basis& best) {
 Basis best_with(const LinearMaxMin& lp, int last) {
   Basis best;
   Basis basis;
+  const auto try_members = [&](int count) {
+    basis.count = count;
+    try_axes(lp, basis, best, last);
+  };
   basis.member[0] = last;
-  basis.count = 1;
-  try_axes(lp, basis, best);
+  try_members(1);
   for (int i = 0; i < last; ++i) {
     basis.member[1] = i;
-    basis.count = 2;
-    try_axes(lp, basis, best);
+    try_members(2);
     for (int j = i + 1; j < last; ++j) {
       basis.member[2] = j;
-      basis.count = 3;
-      try_axes(lp, basis, best);
+      try_members(3);
       for (int k = j + 1; k < last; ++k) {
         basis.member[3] = k;
-        basis.count = 4;
-        try_axes(lp, basis, best);
+        try_members(4);
       }
     }
   }
@@ -175,7 +179,8 @@ Basis best_with(const LinearMaxMin& lp, int last) {
 
 // The linear programme at a point: the surfaces that may matter within `half`.
 LinearMaxMin linearise(const std::vector<Surface>& surfaces, const int* some, int count,
-                       const Vec3& point, const Vec3& half, std::array<int, 8>& chosen) {
+                       const Vec3& point, const Vec3& half,
+                       std::array<int, LinearMaxMin::kMost>& chosen) {
   LinearMaxMin lp;
   lp.half = half;
   const double range = 2.0 * norm(half);
@@ -212,7 +217,7 @@ LinearMaxMin::Solution LinearMaxMin::solve() const {
       continue;
     }
     const Basis better = best_with(*this, s);
-    if (better.optimum < best.optimum) {
+    if (is_better(*this, better, best, s)) {
       best = better;
       solution.step = step_of(*this, best);
     }
@@ -251,7 +256,7 @@ double upper_clearance(const std::vector<Surface>& surfaces, const int* some, in
 
 Summit climb(const std::vector<Surface>& surfaces, const int* some, int count,
              const Extent& extent) {
-  constexpr int kSteps = 12;
+  constexpr int kSteps = 8;
   const auto clearance_at = [&](const Vec3& point) {
     double least = kInfinite;
     for (int i = 0; i < count; ++i) {
@@ -263,9 +268,8 @@ Summit climb(const std::vector<Surface>& surfaces, const int* some, int count,
   summit.clearance = clearance_at(summit.point);
   std::array<int, LinearMaxMin::kMost> chosen = {};
   for (int step = 0; step < kSteps && count > 0; ++step) {
-    // The step must end inside the extent: the largest box around the point that does not
-    // leave it would shrink to nothing at a face, so the programme is set up at the
-    // centre.
+    // Linearised at the summit, stated at the centre: there the extent is a symmetric
+    // box.
     const Vec3 center = extent.center();
     LinearMaxMin lp =
         linearise(surfaces, some, count, summit.point, extent.hi - extent.lo, chosen);

@@ -19,9 +19,9 @@ namespace colloid {
 /// weighted gradients cancel.  Surfaces are taken in one by one and only bases with a
 /// violated newcomer are tried, so that a solution costs a few dozen tiny systems.
 struct LinearMaxMin {
-  static constexpr int kMost = 8;
+  static constexpr int kMost = 6;
   int count = 0;
-  std::array<double, kMost> value = {};   ///< v_s [m], ascending
+  std::array<double, kMost> value = {};   ///< v_s [m]
   std::array<Vec3, kMost> gradient = {};  ///< g_s [-]
   Vec3 half;                              ///< h [m]
 

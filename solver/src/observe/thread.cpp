@@ -24,12 +24,16 @@ Narrowest along(const CellTree& tree, int cell, const Vec3& from, const Vec3& to
   return least;
 }
 
+// Cells stay below 2^30; on a face of the box the cell is its own neighbour.
+std::uint64_t gate_key(int cell, int neighbour, int face) {
+  return (static_cast<std::uint64_t>(cell) << 34) |
+         (static_cast<std::uint64_t>(neighbour) << 3) | static_cast<std::uint64_t>(face);
+}
+
 }  // namespace
 
 Summit Threader::gate(int cell, const Link& link) {
-  const std::uint64_t key = (static_cast<std::uint64_t>(cell) << 34) |
-                            (static_cast<std::uint64_t>(link.cell) << 3) |
-                            static_cast<std::uint64_t>(link.face);
+  const std::uint64_t key = gate_key(cell, link.cell, link.face);
   const auto [known, is_new] = gates_.try_emplace(key);
   if (is_new) {
     known->second = climb(tree_.surfaces(), tree_.surfaces_in(cell), tree_[cell].count,
@@ -39,13 +43,17 @@ Summit Threader::gate(int cell, const Link& link) {
 }
 
 // The best point of a cell on one of the faces of the box.
-Summit Threader::rim(int cell, const std::vector<int>& faces) const {
+Summit Threader::rim(int cell, const std::vector<int>& faces) {
   Summit best;
   best.clearance = -std::numeric_limits<double>::infinity();
   for (const int face : faces) {
     if (tree_.touches(cell, face)) {
-      const Summit summit = climb(tree_.surfaces(), tree_.surfaces_in(cell),
-                                  tree_[cell].count, tree_.rim(cell, face));
+      const auto [known, is_new] = gates_.try_emplace(gate_key(cell, cell, face));
+      if (is_new) {
+        known->second = climb(tree_.surfaces(), tree_.surfaces_in(cell),
+                              tree_[cell].count, tree_.rim(cell, face));
+      }
+      const Summit& summit = known->second;
       if (summit.clearance > best.clearance) {
         best = summit;
       }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "observe/cell_tree.h"
@@ -35,7 +36,7 @@ class Threader {
 
  private:
   Summit gate(int cell, const Link& link);
-  Summit rim(int cell, const std::vector<int>& faces) const;
+  Summit rim(int cell, const std::vector<int>& faces);
 
   const CellTree& tree_;
   std::vector<int> start_faces_;

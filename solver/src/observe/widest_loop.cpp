@@ -130,7 +130,7 @@ Route trace(const CellTree& tree, const std::vector<char>& joined, int start, in
 
 }  // namespace
 
-Route widest_loop(CellTree& tree, int axis, double floor) {
+Route widest_loop(CellTree& tree, int axis, double floor, double ceiling) {
   using Entry = std::pair<double, int>;
   std::vector<Entry> entries;
   for (int cell = 0; cell < tree.size(); ++cell) {
@@ -144,7 +144,7 @@ Route widest_loop(CellTree& tree, int axis, double floor) {
   while (!heap.empty()) {
     const auto [level, cell] = heap.top();
     heap.pop();
-    tree.sharpen(cell);
+    tree.sharpen(cell, ceiling);
     if (tree[cell].upper < level) {
       if (tree[cell].upper > floor) {
         heap.emplace(tree[cell].upper, cell);

@@ -39,7 +39,7 @@ void Flood::reach(int cell) {
   }
 }
 
-Route Flood::find(double floor) {
+Route Flood::find(double floor, double ceiling) {
   while (!heap_.empty() && heap_.front().level > floor) {
     const Entry top = heap_.front();
     std::pop_heap(heap_.begin(), heap_.end());
@@ -49,7 +49,7 @@ Route Flood::find(double floor) {
     if (stale || visited(top.cell) || !tree_[top.cell].is_leaf) {
       continue;
     }
-    tree_.sharpen(top.cell);
+    tree_.sharpen(top.cell, ceiling);
     if (tree_[top.cell].upper < top.level) {
       push(top.level, top.cell, top.from);
       continue;

@@ -29,7 +29,8 @@ class Flood {
   Flood(CellTree& tree, std::vector<int> start_faces, std::vector<int> goal_faces);
 
   /// The widest route, empty if no cell with a bound above `floor` [m] leads to the goal.
-  Route find(double floor);
+  /// It is known to be at most `ceiling` [m] wide.
+  Route find(double floor, double ceiling);
   /// Splits a cell and forgets the ways through it.
   void split(int cell, double floor);
 
