@@ -62,8 +62,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{0.216, 7.442, {16, 32, 64}, {0.015, 0.004, 0.001}},
                       Case{0.343, 15.40, {28, 56, 112}, {0.05, 0.02, 0.005}},
                       Case{0.450, 28.1, {25, 50, 100}, {0.05, 0.02, 0.005}}),
-    [](const ::testing::TestParamInfo<Case>& info) {
-      return "c" + std::to_string(static_cast<int>(std::lround(1000 * info.param.c)));
+    [](const ::testing::TestParamInfo<Case>& instance) {
+      return "c" + std::to_string(static_cast<int>(std::lround(1000 * instance.param.c)));
     });
 
 // Held superficial velocity and given force are the same linear problem.
