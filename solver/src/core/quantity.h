@@ -10,29 +10,10 @@
 // counts as an energy, and a text that contains it needs that temperature.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 
 namespace colloid {
-
-/// Powers of m, kg, s, A, K, mol.
-struct Dimension {
-  std::array<int, 6> power{};
-};
-bool operator==(const Dimension& a, const Dimension& b);
-
-/// A unit is factor * 10^exponent10 * (kT)^thermal in SI.  The power of ten is kept apart
-/// so that "13.3 um" is exactly the double nearest to 13.3e-6, not one rounding off it.
-struct Unit {
-  double factor = 1.0;
-  int exponent10 = 0;
-  int thermal = 0;  ///< power of kT
-  Dimension dimension;
-};
-
-/// Refuses with `where` what is not a unit expression.
-Unit parse_unit(std::string_view text, const std::string& where);
 
 /// The value of `text` in SI.  Refuses with `where` what is no finite number with a unit
 /// of the dimension of `si_unit`.  `temperature` [K] gives kT its size.
