@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <stdexcept>
 
 #include "core/constants.h"
 #include "flow/stokes_solver.h"
@@ -66,7 +67,10 @@ inline std::vector<Sphere> dropped_deposit(int count, std::uint64_t seed) {
   std::vector<Sphere> deposit;
   std::mt19937_64 generator(seed);
   const auto uniform = [&] { return static_cast<double>(generator() >> 11) * 0x1p-53; };
-  while (static_cast<int>(deposit.size()) < count) {
+  for (int tries = 0; static_cast<int>(deposit.size()) < count; ++tries) {
+    if (tries > 100000) {
+      throw std::runtime_error("the throat does not hold that many colloids");
+    }
     const double width = empty.box.size.x;
     Sphere s{{a + uniform() * (width - 2 * a), a + uniform() * (width - 2 * a), 0.0}, a};
     // Highest height at which it touches something below it.

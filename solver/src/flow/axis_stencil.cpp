@@ -36,12 +36,13 @@ AxisStencil make_axis_stencil(const Grid& grid, int axis, Kind lower, Kind upper
   AxisStencil s;
   s.at_face.resize(n + 1);
   s.at_centre.resize(n);
-  s.face_below.assign(n + 3, 0.0F);
-  s.face_above.assign(n + 3, 0.0F);
-  s.centre_below.assign(n + 3, 0.0F);
-  s.centre_above.assign(n + 3, 0.0F);
-  s.gradient.assign(n + 3, 0.0F);
-  s.divergence.assign(n + 3, 0.0F);
+  const auto length = static_cast<std::size_t>(whole_blocks(static_cast<int>(n) + 3) + kBlock);
+  s.face_below.assign(length, 0.0F);
+  s.face_above.assign(length, 0.0F);
+  s.centre_below.assign(length, 0.0F);
+  s.centre_above.assign(length, 0.0F);
+  s.gradient.assign(length, 0.0F);
+  s.divergence.assign(length, 0.0F);
 
   for (std::size_t i = 0; i <= n; ++i) {
     const bool first = i == 0 && !periodic;

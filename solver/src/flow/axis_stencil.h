@@ -33,7 +33,8 @@ struct SecondDifference {
   }
 };
 
-/// Weights along one axis, ready for the kernels.  Arrays run over -1 .. n + 1.
+/// Weights along one axis, ready for the kernels.  Arrays start at index -1 and are
+/// zero beyond the box.
 struct AxisStencil {
   std::vector<SecondDifference> at_face;    ///< component along the axis, faces 0 .. n
   std::vector<SecondDifference> at_centre;  ///< other components, cells 0 .. n - 1

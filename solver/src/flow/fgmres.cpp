@@ -58,26 +58,6 @@ void fill_halos(const Grid& grid, Fields<Real>& x) {
   }
 }
 
-// Products of w with the first `count` basis vectors, summed over planes in order.
-std::vector<double> products(const LevelView& level, const Fields<double>& w,
-                             const std::vector<Fields<float>>& basis, std::size_t count,
-                             int threads) {
-  const int planes = level.end[2];
-  std::vector<double> part(static_cast<std::size_t>(planes) * count);
-  for_planes(planes, threads, [&](int k) {
-    for (std::size_t i = 0; i < count; ++i) {
-      part[static_cast<std::size_t>(k) * count + i] = dot_plane(level, w, basis[i], k);
-    }
-  });
-  std::vector<double> sum(count, 0.0);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(planes); ++k) {
-    for (std::size_t i = 0; i < count; ++i) {
-      sum[i] += part[k * count + i];
-    }
-  }
-  return sum;
-}
-
 }  // namespace
 
 void true_residual(const WallRows& rows, const LevelView& level, Fields<double>& x,
@@ -91,73 +71,88 @@ double norm(const LevelView& level, const Fields<double>& r, int threads) {
                               [&](int k) { return dot_plane(level, r, r, k); }));
 }
 
-KrylovStatistics solve_fgmres(
-    const WallRows& rows, const Fields<double>& b, Fields<double>& x,
-    const std::function<void(const Fields<float>&, Fields<float>&)>& precondition,
-    const KrylovOptions& options) {
-  const LevelView level = view(rows);
-  const std::size_t size = rows.grid().size;
+// Basis vector j from w, direction j from it, and w = M z made orthogonal to the basis:
+// classical Gram-Schmidt, so that w passes through the cache twice, however many vectors.
+// Returns column j of the Hessenberg matrix, j + 2 entries.
+std::vector<double> Fgmres::extend(std::size_t j, double length,
+                                   const Preconditioner& precondition, int threads) {
+  const LevelView level = view(rows_);
   const int planes = level.end[2];
-  const int threads = options.threads;
-  const Fields<double> zero(size);
-  Fields<double> w(size);
-  std::vector<Fields<float>> basis, directions;
+  if (j == directions_.size()) {
+    basis_.emplace_back(rows_.grid().size);
+    directions_.emplace_back(rows_.grid().size);
+  }
+  for_planes(planes, threads,
+             [&](int k) { scaled_copy_plane(level, 1.0 / length, w_, basis_[j], k); });
+  fill_halos(rows_.grid(), basis_[j]);
+  precondition(basis_[j], directions_[j]);
+  fill_halos(rows_.grid(), directions_[j]);
+
+  // w = -M z, so all products have the wrong sign; plane sums are added in order.
+  const std::size_t count = j + 1;
+  std::vector<double> part(static_cast<std::size_t>(planes) * count);
+  for_planes(planes, threads, [&](int k) {
+    minus_apply_plane(level, directions_[j], w_, k);
+    for (std::size_t i = 0; i < count; ++i) {
+      part[static_cast<std::size_t>(k) * count + i] = dot_plane(level, w_, basis_[i], k);
+    }
+  });
+  std::vector<double> column(count + 1, 0.0);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(planes); ++k) {
+    for (std::size_t i = 0; i < count; ++i) {
+      column[i] -= part[k * count + i];
+    }
+  }
+  const double square = sum_planes(planes, threads, [&](int k) {
+    for (std::size_t i = 0; i < count; ++i) {
+      axpy_plane(level, column[i], basis_[i], w_, k);
+    }
+    return dot_plane(level, w_, w_, k);
+  });
+  column[count] = -std::sqrt(square);
+  return column;
+}
+
+KrylovStatistics Fgmres::solve(const Fields<double>& b, Fields<double>& x,
+                               const Preconditioner& precondition,
+                               const KrylovOptions& options) {
+  const LevelView level = view(rows_);
+  const int planes = level.end[2];
   KrylovStatistics statistics;
 
-  true_residual(rows, level, x, b, w, threads);
-  statistics.residual = norm(level, w, threads);
+  true_residual(rows_, level, x, b, w_, options.threads);
+  statistics.residual = norm(level, w_, options.threads);
   while (statistics.residual > options.target &&
          statistics.iterations < options.max_iterations) {
     const double beta = statistics.residual;
     Rotations rotations(beta);
     double estimate = beta;
+    double length = beta;
     std::size_t j = 0;
     while (estimate > options.target && j < static_cast<std::size_t>(options.restart) &&
            statistics.iterations < options.max_iterations) {
-      if (j == directions.size()) {
-        basis.emplace_back(size);
-        directions.emplace_back(size);
-      }
-      const double length = j == 0 ? beta : norm(level, w, threads);
-      for_planes(planes, threads,
-                 [&](int k) { scaled_copy_plane(level, 1.0 / length, w, basis[j], k); });
-      precondition(basis[j], directions[j]);
-      fill_halos(rows.grid(), directions[j]);
-      for_planes(planes, threads,
-                 [&](int k) { residual_plane(level, directions[j], zero, w, k); });
-      // w = -M z: the signs of the column are turned round.  Classical Gram-Schmidt: all
-      // products first, so that w passes through the cache twice, however many vectors.
-      std::vector<double> column = products(level, w, basis, j + 1, threads);
-      for_planes(planes, threads, [&](int k) {
-        for (std::size_t i = 0; i <= j; ++i) {
-          axpy_plane(level, -column[i], basis[i], w, k);
-        }
-      });
-      for (double& h : column) {
-        h = -h;
-      }
-      column.push_back(0.0);
-      const double rest = norm(level, w, threads);
-      if (!std::isfinite(rest)) {
+      std::vector<double> column = extend(j, length, precondition, options.threads);
+      length = std::abs(column.back());
+      if (!std::isfinite(length)) {
         throw ConvergenceError("Stokes solver: not a number in Krylov iteration " +
                                std::to_string(statistics.iterations + 1));
       }
-      column[j + 1] = -rest;
-      estimate = rotations.append(column);
+      estimate = rotations.append(std::move(column));
       ++statistics.iterations;
       ++j;
-      if (rest <= 1e-30 * beta) {
+      if (length <= 1e-30 * beta) {
         break;
       }
     }
     const std::vector<double> y = rotations.solve();
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      for_planes(planes, threads,
-                 [&](int k) { axpy_plane(level, y[i], directions[i], x, k); });
-    }
-    true_residual(rows, level, x, b, w, threads);
+    for_planes(planes, options.threads, [&](int k) {
+      for (std::size_t i = 0; i < y.size(); ++i) {
+        axpy_plane(level, y[i], directions_[i], x, k);
+      }
+    });
+    true_residual(rows_, level, x, b, w_, options.threads);
     const double before = statistics.residual;
-    statistics.residual = norm(level, w, threads);
+    statistics.residual = norm(level, w_, options.threads);
     if (!(statistics.residual < 0.999 * before)) {
       break;  // stagnation: the caller reports it
     }

@@ -23,12 +23,27 @@ struct KrylovStatistics {
   double residual = 0.0;  ///< true, 2-norm
 };
 
-/// Improves x, a solution of M x = b on `level`, until |b - M x| <= target.
-/// `precondition(r, z)` sets z to about M^-1 r.
-KrylovStatistics solve_fgmres(
-    const WallRows& rows, const Fields<double>& b, Fields<double>& x,
-    const std::function<void(const Fields<float>&, Fields<float>&)>& precondition,
-    const KrylovOptions& options);
+/// The solver and its vectors, which are kept from one solve to the next.
+class Fgmres {
+ public:
+  /// Sets z to about M^-1 r; halos of r are filled.
+  using Preconditioner = std::function<void(const Fields<float>& r, Fields<float>& z)>;
+
+  explicit Fgmres(const WallRows& rows) : rows_(rows), w_(rows.grid().size) {}
+
+  /// Improves x, a solution of M x = b, until |b - M x| <= target.
+  KrylovStatistics solve(const Fields<double>& b, Fields<double>& x,
+                         const Preconditioner& precondition, const KrylovOptions& options);
+
+ private:
+  std::vector<double> extend(std::size_t j, double length,
+                             const Preconditioner& precondition, int threads);
+
+  const WallRows& rows_;
+  Fields<double> w_;
+  std::vector<Fields<float>> basis_;
+  std::vector<Fields<float>> directions_;
+};
 
 /// r = b - M x; halos of x are filled.
 void true_residual(const WallRows& rows, const LevelView& level, Fields<double>& x,

@@ -12,12 +12,12 @@ void lay_out(Grid& grid) {
       grid.position[a].push_back(grid.position[a].back() + w);
     }
   }
-  grid.stride_y = grid.cells[0] + 2;
+  grid.stride_y = whole_blocks(grid.cells[0] + 2);
   grid.stride_z = grid.stride_y * (grid.cells[1] + 2);
   grid.origin = static_cast<std::size_t>(1 + grid.stride_y + grid.stride_z);
-  // One entry more than the box of indices: the neighbour above the last face is read, with
-  // weight zero.
-  grid.size = static_cast<std::size_t>(grid.stride_z * (grid.cells[2] + 3)) + 1;
+  // A plane and a block more than the box of indices: neighbours above the last face are
+  // read, with weight zero, and rows are processed in whole blocks.
+  grid.size = static_cast<std::size_t>(grid.stride_z * (grid.cells[2] + 3) + 2 * kBlock);
 }
 
 }  // namespace

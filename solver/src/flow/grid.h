@@ -8,6 +8,9 @@
 //
 //     index(i, j, k),   -1 <= i <= nx,  -1 <= j <= ny,  -1 <= k <= nz,   x fastest.
 //
+// Rows are padded to whole vectors of the machine, so that the kernels have no loop for the
+// rest; what lies in the padding is zero, or a halo that is filled again before it is read.
+//
 // The finest level is uniform along each axis.  A coarse level joins cells in pairs; an odd
 // number leaves one narrow cell at the upper end, so widths are kept per cell.
 #pragma once
@@ -22,6 +25,10 @@ namespace colloid {
 
 /// Unknowns of a level, in the order of every array of four.
 enum Component : int { u_x, u_y, u_z, pressure };
+
+/// Entries of a row are processed in blocks of this many: 64 bytes of floats.
+constexpr int kBlock = 16;
+constexpr int whole_blocks(int count) { return (count + kBlock - 1) / kBlock * kBlock; }
 
 struct Grid {
   std::array<int, 3> cells{};                   ///< number of cells per axis

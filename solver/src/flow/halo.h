@@ -53,7 +53,7 @@ void fill_halo_of_plane(const Grid& grid, Real* x, int k) {
     std::copy_n(x + grid.index(-1, 0, k), row, x + grid.index(-1, ny, k));
   }
   if (grid.periodic[2]) {
-    const auto plane = row * static_cast<std::size_t>(ny + 2);
+    const auto plane = static_cast<std::size_t>(grid.stride_z);
     if (k == 0) {
       std::copy_n(x + grid.index(-1, -1, 0), plane, x + grid.index(-1, -1, nz));
     }

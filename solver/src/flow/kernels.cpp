@@ -19,14 +19,20 @@ std::size_t row_begin(const LevelView& m, int j, int k) {
                                   k * m.stride_z);
 }
 
+// Whole blocks; written so that the compiler sees the multiple.
+std::size_t row_length(const LevelView& m) {
+  return static_cast<std::size_t>(m.blocks) * static_cast<std::size_t>(kBlock);
+}
+
 }  // namespace
 
-template <class In, class Out>
-PORECLOG_CLONES void residual_plane(const LevelView& m, const Fields<In>& u,
-                                    const Fields<Out>& f, Fields<Out>& r, int k) {
+// r = f - M u, with f = 0 if there is no f.
+template <bool kHasForce, class In, class Out>
+PORECLOG_CLONES void balance_plane(const LevelView& m, const Fields<In>& u,
+                                   const Fields<Out>& f, Fields<Out>& r, int k) {
   const std::ptrdiff_t sy = m.stride_y;
   const std::ptrdiff_t sz = m.stride_z;
-  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const std::size_t n = row_length(m);
   const Out d = static_cast<Out>(m.diagonal);
   const auto kk = static_cast<std::size_t>(k + 1);
   for (int j = 0; j < m.end[1]; ++j) {
@@ -50,24 +56,26 @@ PORECLOG_CLONES void residual_plane(const LevelView& m, const Fields<In>& u,
       const Out z_above = m.above[c][2][kk];
       if (component == u_x) {
         const float* __restrict g = m.gradient[0] + 1;
+#pragma GCC ivdep
         for (std::size_t i = 0; i < n; ++i) {
           const Out viscous =
               Out(a0[i]) * (Out(x_below[i]) * Out(x[i - 1]) + Out(x_above[i]) * Out(x[i + 1])) +
               Out(a1[i]) * (y_below * Out((x - sy)[i]) + y_above * Out((x + sy)[i])) +
               Out(a2[i]) * (z_below * Out((x - sz)[i]) + z_above * Out((x + sz)[i]));
-          out[i] = rhs[i] - d * Out(x[i]) + viscous -
+          out[i] = (kHasForce ? rhs[i] : Out(0)) - d * Out(x[i]) + viscous -
                    Out(scale[i]) * Out(g[i]) * (Out(p[i]) - Out(p[i - 1]));
         }
       } else {
         const std::ptrdiff_t s = component == u_y ? sy : sz;
         const Out g = m.gradient[c][component == u_y ? jj : kk];
         const In* __restrict p_below = p - s;
+#pragma GCC ivdep
         for (std::size_t i = 0; i < n; ++i) {
           const Out viscous =
               Out(a0[i]) * (Out(x_below[i]) * Out(x[i - 1]) + Out(x_above[i]) * Out(x[i + 1])) +
               Out(a1[i]) * (y_below * Out((x - sy)[i]) + y_above * Out((x + sy)[i])) +
               Out(a2[i]) * (z_below * Out((x - sz)[i]) + z_above * Out((x + sz)[i]));
-          out[i] = rhs[i] - d * Out(x[i]) + viscous -
+          out[i] = (kHasForce ? rhs[i] : Out(0)) - d * Out(x[i]) + viscous -
                    Out(scale[i]) * g * (Out(p[i]) - Out(p_below[i]));
         }
       }
@@ -80,19 +88,30 @@ PORECLOG_CLONES void residual_plane(const LevelView& m, const Fields<In>& u,
     const float* __restrict dx = m.divergence[0] + 1;
     const Out dy = m.divergence[1][jj];
     const Out dz = m.divergence[2][kk];
+#pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
-      out[i] = rhs[i] - (Out(dx[i]) * (Out(ux[i + 1]) - Out(ux[i])) +
+      out[i] = (kHasForce ? rhs[i] : Out(0)) - (Out(dx[i]) * (Out(ux[i + 1]) - Out(ux[i])) +
                          dy * (Out((uy + sy)[i]) - Out(uy[i])) +
                          dz * (Out((uz + sz)[i]) - Out(uz[i])));
     }
   }
 }
 
+template <class In, class Out>
+void residual_plane(const LevelView& m, const Fields<In>& u, const Fields<Out>& f,
+                    Fields<Out>& r, int k) {
+  balance_plane<true>(m, u, f, r, k);
+}
+
+void minus_apply_plane(const LevelView& m, const Fields<float>& z, Fields<double>& w, int k) {
+  balance_plane<false>(m, z, w, w, k);
+}
+
 PORECLOG_CLONES void schur_start_plane(const LevelView& m, const Fields<float>& r,
                                        float alpha, float omega, float* b, float* q, int k) {
   const std::ptrdiff_t sy = m.stride_y;
   const std::ptrdiff_t sz = m.stride_z;
-  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const std::size_t n = row_length(m);
   const float inverse = static_cast<float>(1.0 / m.diagonal);
   for (int j = 0; j < m.end[1]; ++j) {
     const std::size_t at = row_begin(m, j, k);
@@ -106,6 +125,7 @@ PORECLOG_CLONES void schur_start_plane(const LevelView& m, const Fields<float>& 
     const float dz = inverse * m.divergence[2][static_cast<std::size_t>(k + 1)];
     float* __restrict rhs = b + at;
     float* __restrict out = q + at;
+#pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
       const float value = inverse * dx[i] * (rx[i + 1] - rx[i]) +
                           dy * ((ry + sy)[i] - ry[i]) + dz * ((rz + sz)[i] - rz[i]) -
@@ -120,7 +140,7 @@ PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float 
                                       const float* q, float* q_new, int k) {
   const std::ptrdiff_t sy = m.stride_y;
   const std::ptrdiff_t sz = m.stride_z;
-  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const std::size_t n = row_length(m);
   const float inverse = static_cast<float>(1.0 / m.diagonal);
   const auto kk = static_cast<std::size_t>(k + 1);
   for (int j = 0; j < m.end[1]; ++j) {
@@ -141,6 +161,7 @@ PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float 
     const float gy1 = dy * m.gradient[1][jj + 1];
     const float gz0 = dz * m.gradient[2][kk];
     const float gz1 = dz * m.gradient[2][kk + 1];
+#pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
       const float here = old[i];
       const float applied =
@@ -159,7 +180,7 @@ PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float 
 PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
                                    const float* q, float alpha, bool from_zero,
                                    Fields<float>& u, int k) {
-  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const std::size_t n = row_length(m);
   const float factor = static_cast<float>(1.0 / (static_cast<double>(alpha) * m.diagonal));
   const float keep = from_zero ? 0.0F : 1.0F;
   const std::array<std::ptrdiff_t, 3> stride{1, m.stride_y, m.stride_z};
@@ -173,17 +194,20 @@ PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
       float* __restrict x = u[static_cast<int>(c)] + at;
       if (c == 0) {
         const float* __restrict g = m.gradient[0] + 1;
+#pragma GCC ivdep
         for (std::size_t i = 0; i < n; ++i) {
           x[i] = keep * x[i] + factor * (rhs[i] - scale[i] * g[i] * (here[i] - below[i]));
         }
       } else {
         const float g = m.gradient[c][static_cast<std::size_t>((c == 1 ? j : k) + 1)];
+#pragma GCC ivdep
         for (std::size_t i = 0; i < n; ++i) {
           x[i] = keep * x[i] + factor * (rhs[i] - scale[i] * g * (here[i] - below[i]));
         }
       }
     }
     float* __restrict p = u[pressure] + at;
+#pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
       p[i] = keep * p[i] + here[i];
     }
@@ -195,7 +219,7 @@ PORECLOG_CLONES double dot_plane(const LevelView& m, const Fields<A>& a, const F
                                  int k) {
   constexpr std::size_t kLanes = 8;
   std::array<double, kLanes> sum{};
-  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const std::size_t n = static_cast<std::size_t>(m.end[0]);  // no halos in sums
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
       const std::size_t at = row_begin(m, j, k);
@@ -222,12 +246,13 @@ PORECLOG_CLONES double dot_plane(const LevelView& m, const Fields<A>& a, const F
 template <class X, class Y>
 PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const Fields<X>& x,
                                 Fields<Y>& y, int k) {
-  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const std::size_t n = row_length(m);
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
       const std::size_t at = row_begin(m, j, k);
       const X* __restrict in = x[c] + at;
       Y* __restrict out = y[c] + at;
+#pragma GCC ivdep
       for (std::size_t i = 0; i < n; ++i) {
         out[i] = static_cast<Y>(static_cast<double>(out[i]) + s * static_cast<double>(in[i]));
       }
@@ -238,12 +263,13 @@ PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const Fields<X>& x
 template <class X, class Y>
 PORECLOG_CLONES void scaled_copy_plane(const LevelView& m, double s, const Fields<X>& x,
                                        Fields<Y>& y, int k) {
-  const std::size_t n = static_cast<std::size_t>(m.end[0]);
+  const std::size_t n = row_length(m);
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
       const std::size_t at = row_begin(m, j, k);
       const X* __restrict in = x[c] + at;
       Y* __restrict out = y[c] + at;
+#pragma GCC ivdep
       for (std::size_t i = 0; i < n; ++i) {
         out[i] = static_cast<Y>(s * static_cast<double>(in[i]));
       }
@@ -256,7 +282,6 @@ using D = Fields<double>;
 
 template void residual_plane(const LevelView&, const F&, const F&, F&, int);
 template void residual_plane(const LevelView&, const D&, const D&, D&, int);
-template void residual_plane(const LevelView&, const F&, const D&, D&, int);
 template double dot_plane(const LevelView&, const D&, const F&, int);
 template double dot_plane(const LevelView&, const D&, const D&, int);
 template void axpy_plane(const LevelView&, double, const F&, D&, int);

@@ -14,6 +14,9 @@ template <class In, class Out>
 void residual_plane(const LevelView& m, const Fields<In>& u, const Fields<Out>& f,
                     Fields<Out>& r, int k);
 
+/// w = -M z on one plane: the residual for a right-hand side of zero.
+void minus_apply_plane(const LevelView& m, const Fields<float>& z, Fields<double>& w, int k);
+
 /// First step of the pressure of a Braess-Sarazin sweep: b = D r/d - alpha r_p, and one
 /// Jacobi step from zero, q = -omega b / diag.                                      (F12)
 void schur_start_plane(const LevelView& m, const Fields<float>& r, float alpha, float omega,

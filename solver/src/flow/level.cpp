@@ -19,6 +19,7 @@ LevelView view(const WallRows& rows) {
       v.above[c][a] = (a == c ? s.face_above : s.centre_above).data();
     }
   }
+  v.blocks = whole_blocks(v.end[0]) / kBlock;
   v.cell_scale = m.cell_scale.data();
   v.stride_y = grid.stride_y;
   v.stride_z = grid.stride_z;

@@ -37,6 +37,7 @@ struct LevelView {
   std::array<const float*, 3> gradient{};
   std::array<const float*, 3> divergence{};
   std::array<int, 3> end{};  ///< one past the last index of any unknown
+  int blocks = 0;            ///< of kBlock entries, in a row
   std::ptrdiff_t stride_y = 0;
   std::ptrdiff_t stride_z = 0;
   std::size_t origin = 0;

@@ -61,8 +61,7 @@ Multigrid::Multigrid(const WallRows& finest, const FlowFaces& faces,
     level.view = view(*level.walls);
     level.r = Fields<float>(size);
     level.b.assign(size, 0.0F);
-    level.q.assign(static_cast<std::size_t>(options_.schur_steps),
-                   std::vector<float>(size, 0.0F));
+    level.q.assign(options_.omega.size(), std::vector<float>(size, 0.0F));
     if (level.rows) {
       level.u = Fields<float>(size);
       level.f = Fields<float>(size);
@@ -102,7 +101,7 @@ void Multigrid::sweep(Level& level, const Fields<float>& f, Fields<float>& u,
   const int planes = m.end[2];
   const float alpha = options_.alpha[static_cast<std::size_t>(number % 2)];
   const Fields<float>& r = from_zero ? f : level.r;
-  const int steps = options_.schur_steps;
+  const int steps = static_cast<int>(options_.omega.size());
 
   if (!from_zero) {
     fill_halos(grid, u);
@@ -169,6 +168,7 @@ void Multigrid::cycle(std::size_t index, const Fields<float>& f, Fields<float>& 
   for_planes(coarse.view.end[2], threads_, [&](int k) {
     restrict_plane(level.transfer, level.view, coarse.view, level.r, coarse.f, k);
   });
+  fill_halos(coarse.walls->grid(), coarse.f);
   cycle(index + 1, coarse.f, coarse.u);
   fill_halos(coarse.walls->grid(), coarse.u);
   for_planes(level.view.end[2], threads_, [&](int k) {

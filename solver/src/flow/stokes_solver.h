@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "flow/fgmres.h"
 #include "flow/multigrid.h"
 #include "flow/stokes_problem.h"
 
@@ -68,6 +69,8 @@ class StokesSolver {
   std::vector<Sphere> grid_spheres_;
   std::unique_ptr<WallRows> rows_;
   std::unique_ptr<Multigrid> multigrid_;
+  std::unique_ptr<Fgmres> krylov_;
+  bool blocked_ = false;          ///< no way from inlet to outlet, not even below the grid
   std::vector<bool> inlet_open_;  ///< per cell: fed by an inlet that reaches the outlet
   Fields<double> lift_;           ///< given boundary values, zero elsewhere
   Fields<double> x_;              ///< unknowns

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace colloid {
 
@@ -15,6 +16,7 @@ bool is_coarsened(const Grid& fine, const Grid& coarse, int axis) {
 
 LineTransfer identity(int count) {
   LineTransfer t;
+  t.coarsened = false;
   for (int i = 0; i < count; ++i) {
     t.near.push_back(i);
     t.far.push_back(i);
@@ -107,6 +109,34 @@ LineTransfer centre_line(const Grid& fine, const Grid& coarse, int axis,
   return t;
 }
 
+// The weights of single unknowns, rearranged for rows.
+LineTransfer with_rows(LineTransfer t) {
+  const auto length = at(whole_blocks(static_cast<int>(t.first.size()) + 2));
+  for (auto* row : {&t.even_here, &t.even_below, &t.odd_here, &t.odd_above, &t.take[0],
+                    &t.take[1], &t.take[2]}) {
+    row->assign(length, 0.0F);
+  }
+  for (std::size_t i = 0; i < t.near.size(); ++i) {
+    const std::size_t parent = i / 2;
+    const bool even = i % 2 == 0;
+    for (const auto& [index, weight] : {std::pair{t.near[i], t.near_part[i]},
+                                        std::pair{t.far[i], t.far_part[i]}}) {
+      const bool here = index == static_cast<int>(parent);
+      (even ? (here ? t.even_here : t.even_below) : (here ? t.odd_here : t.odd_above))
+          [parent] += weight;
+    }
+  }
+  for (std::size_t coarse = 0; coarse < t.first.size(); ++coarse) {
+    for (std::size_t m = 0; m < 3; ++m) {
+      const int offset = t.first[coarse] + static_cast<int>(m) - 2 * static_cast<int>(coarse) + 1;
+      if (t.part[coarse][m] != 0.0F) {
+        t.take[at(offset)][coarse] += t.part[coarse][m];
+      }
+    }
+  }
+  return t;
+}
+
 const LineTransfer& line(const LevelTransfer& t, int component, int axis) {
   if (component == pressure) {
     return t.cell[at(axis)];
@@ -123,6 +153,49 @@ const float* openness(const LevelView& m, int component) {
   return component == pressure ? m.cell_scale : m.row_scale[at(component)];
 }
 
+// sum[i + 1] over fine rows, i = -1 ..; sums start at index -1 and are longer than a row.
+std::size_t sum_length(const LevelView& fine) {
+  return at(whole_blocks(fine.end[0] + 2) + 4 * kBlock);
+}
+
+void add_row(float weight, const float* __restrict row, float* __restrict sum,
+             std::size_t count) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) {
+    sum[i] += weight * row[i];
+  }
+}
+
+void restrict_row(const LineTransfer& x, const float* sum, const float* open, float* out,
+                  std::size_t count) {
+  const float* __restrict s = sum;  // s[2I], s[2I + 1], s[2I + 2]: fine 2I - 1, 2I, 2I + 1
+  const float* __restrict first = x.take[0].data();
+  const float* __restrict second = x.take[1].data();
+  const float* __restrict third = x.take[2].data();
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) {
+    const float value =
+        first[i] * s[2 * i] + second[i] * s[2 * i + 1] + third[i] * s[2 * i + 2];
+    out[i] = open[i] > 0.0F ? value : 0.0F;
+  }
+}
+
+void prolong_row(const LineTransfer& x, const float* sum, const float* open, float* out,
+                 std::size_t count) {
+  const float* __restrict s = sum;  // s[I], s[I + 1], s[I + 2]: coarse I - 1, I, I + 1
+  const float* __restrict even_here = x.even_here.data();
+  const float* __restrict even_below = x.even_below.data();
+  const float* __restrict odd_here = x.odd_here.data();
+  const float* __restrict odd_above = x.odd_above.data();
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) {
+    const float even = even_here[i] * s[i + 1] + even_below[i] * s[i];
+    const float odd = odd_here[i] * s[i + 1] + odd_above[i] * s[i + 2];
+    out[2 * i] += open[2 * i] > 0.0F ? even : 0.0F;
+    out[2 * i + 1] += open[2 * i + 1] > 0.0F ? odd : 0.0F;
+  }
+}
+
 }  // namespace
 
 LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
@@ -130,9 +203,10 @@ LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
   LevelTransfer t;
   for (int a = 0; a < 3; ++a) {
     if (is_coarsened(fine, coarse, a)) {
-      t.face[at(a)] = face_line(fine, coarse, a);
-      t.centre[at(a)] = centre_line(fine, coarse, a, fine_axes[at(a)], false);
-      t.cell[at(a)] = centre_line(fine, coarse, a, fine_axes[at(a)], true);
+      t.face[at(a)] = with_rows(face_line(fine, coarse, a));
+      t.centre[at(a)] =
+          with_rows(centre_line(fine, coarse, a, fine_axes[at(a)], false));
+      t.cell[at(a)] = with_rows(centre_line(fine, coarse, a, fine_axes[at(a)], true));
     } else {
       t.face[at(a)] = identity(fine.cells[at(a)] + 1);
       t.centre[at(a)] = identity(fine.cells[at(a)]);
@@ -144,7 +218,8 @@ LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
 
 void restrict_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
                     const Fields<float>& r_fine, Fields<float>& f_coarse, int K) {
-  std::vector<float> sum(at(fine.end[0] + 4));
+  std::vector<float> sum(sum_length(fine));
+  const auto length = at(fine.end[0] + 2);
   for (int c = 0; c < 4; ++c) {
     const LineTransfer& x = line(t, c, 0);
     const LineTransfer& y = line(t, c, 1);
@@ -153,32 +228,28 @@ void restrict_plane(const LevelTransfer& t, const LevelView& fine, const LevelVi
       continue;
     }
     for (int J = 0; at(J) < y.first.size() && J < coarse.end[1]; ++J) {
-      // sum[i + 1] over the fine rows of this coarse one, i = -1 .. end
       std::fill(sum.begin(), sum.end(), 0.0F);
       for (std::size_t b = 0; b < 3; ++b) {
         for (std::size_t a = 0; a < 3; ++a) {
           const float weight = z.part[at(K)][b] * y.part[at(J)][a];
-          if (weight == 0.0F) {
-            continue;
-          }
-          const float* row = r_fine[c] + row_begin(fine, y.first[at(J)] + static_cast<int>(a),
-                                                   z.first[at(K)] + static_cast<int>(b)) - 1;
-          const std::size_t n = at(fine.end[0] + 2);
-          for (std::size_t i = 0; i < n; ++i) {
-            sum[i] += weight * row[i];
+          if (weight != 0.0F) {
+            add_row(weight,
+                    r_fine[c] + row_begin(fine, y.first[at(J)] + static_cast<int>(a),
+                                          z.first[at(K)] + static_cast<int>(b)) - 1,
+                    sum.data(), length);
           }
         }
       }
       const std::size_t q = row_begin(coarse, J, K);
       float* out = f_coarse[c] + q;
       const float* open = openness(coarse, c) + q;
-      const std::size_t count =
-          std::min(x.first.size(), at(coarse.end[0]));
-      for (std::size_t I = 0; I < count; ++I) {
-        const float* s = sum.data() + x.first[I] + 1;
-        const float value =
-            x.part[I][0] * s[0] + x.part[I][1] * s[1] + x.part[I][2] * s[2];
-        out[I] = open[I] > 0.0F ? value : 0.0F;
+      const std::size_t count = std::min(x.first.size(), at(coarse.end[0]));
+      if (x.coarsened) {
+        restrict_row(x, sum.data(), open, out, count);
+      } else {
+        for (std::size_t i = 0; i < count; ++i) {
+          out[i] = open[i] > 0.0F ? sum[i + 1] : 0.0F;
+        }
       }
     }
   }
@@ -186,7 +257,8 @@ void restrict_plane(const LevelTransfer& t, const LevelView& fine, const LevelVi
 
 void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
                    const Fields<float>& u_coarse, Fields<float>& u_fine, int k) {
-  std::vector<float> sum(at(coarse.end[0] + 3));
+  std::vector<float> sum(sum_length(fine));
+  const auto length = at(coarse.end[0] + 2);
   for (int c = 0; c < 4; ++c) {
     const LineTransfer& x = line(t, c, 0);
     const LineTransfer& y = line(t, c, 1);
@@ -200,28 +272,26 @@ void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelVie
       const std::array<int, 2> jj{y.near[at(j)], y.far[at(j)]};
       const std::array<float, 2> wj{y.near_part[at(j)], y.far_part[at(j)]};
       std::fill(sum.begin(), sum.end(), 0.0F);
-      const std::size_t n = at(coarse.end[0] + 2);
       for (std::size_t b = 0; b < 2; ++b) {
         for (std::size_t a = 0; a < 2; ++a) {
           const float weight = wk[b] * wj[a];
-          if (weight == 0.0F) {
-            continue;
-          }
-          const float* row = u_coarse[c] + row_begin(coarse, jj[a], kk[b]) - 1;
-          for (std::size_t i = 0; i < n; ++i) {
-            sum[i] += weight * row[i];
+          if (weight != 0.0F) {
+            add_row(weight, u_coarse[c] + row_begin(coarse, jj[a], kk[b]) - 1, sum.data(),
+                    length);
           }
         }
       }
       const std::size_t q = row_begin(fine, j, k);
       float* out = u_fine[c] + q;
       const float* open = openness(fine, c) + q;
-      const float* s = sum.data() + 1;
-      const std::size_t count = std::min(x.near.size(), at(fine.end[0]));
-      for (std::size_t i = 0; i < count; ++i) {
-        const float value =
-            x.near_part[i] * s[x.near[i]] + x.far_part[i] * s[x.far[i]];
-        out[i] += open[i] > 0.0F ? value : 0.0F;
+      if (x.coarsened) {
+        // The last pair may reach one beyond the row: closed there, or a halo.
+        prolong_row(x, sum.data(), open, out, (at(fine.end[0]) + 1) / 2);
+      } else {
+        const std::size_t count = std::min(x.near.size(), at(fine.end[0]));
+        for (std::size_t i = 0; i < count; ++i) {
+          out[i] += open[i] > 0.0F ? sum[i + 1] : 0.0F;
+        }
       }
     }
   }

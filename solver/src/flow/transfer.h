@@ -15,12 +15,21 @@ namespace colloid {
 
 /// Weights between two levels along one axis, for unknowns at faces or at centres.
 struct LineTransfer {
+  bool coarsened = true;
+
   std::vector<int> near;         ///< fine index -> a coarse index
   std::vector<int> far;          ///< fine index -> the other coarse index
   std::vector<float> near_part;  ///< their weights
   std::vector<float> far_part;
-  std::vector<int> first;                        ///< coarse index -> first fine index
-  std::vector<std::array<float, 3>> part;        ///< weights of first, first+1, first+2
+  std::vector<int> first;                  ///< coarse index -> first fine index
+  std::vector<std::array<float, 3>> part;  ///< weights of first, first+1, first+2
+
+  // The same for a whole row of a coarsened axis, coarse index I; zero beyond the row.
+  //   fine 2I   = even_here s[I] + even_below s[I-1]
+  //   fine 2I+1 = odd_here s[I] + odd_above s[I+1]
+  //   coarse I  = take[0] r[2I-1] + take[1] r[2I] + take[2] r[2I+1]
+  std::vector<float> even_here, even_below, odd_here, odd_above;
+  std::array<std::vector<float>, 3> take;
 };
 
 struct LevelTransfer {

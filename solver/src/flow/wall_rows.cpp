@@ -59,7 +59,8 @@ double WallRows::width(int axis, const std::array<int, 3>& at) const {
   return grid_.width[a][static_cast<std::size_t>(at[a])];
 }
 
-WallRows::WallRows(const Grid& grid, const FlowFaces& faces) : grid_(grid), faces_(faces) {
+WallRows::WallRows(const Grid& grid, const FlowFaces& faces)
+    : grid_(grid), faces_(faces), scratch_(std::make_unique<NearSurfaces>()) {
   double widest = 0.0;
   spacing_ = 1e300;
   for (int a = 0; a < 3; ++a) {
@@ -90,6 +91,8 @@ WallRows::WallRows(const Grid& grid, const FlowFaces& faces) : grid_(grid), face
   whole.end = grid_.cells;
   make_cells(whole);
 }
+
+WallRows::~WallRows() = default;
 
 bool WallRows::on_given_face(int component, const std::array<int, 3>& at) const {
   const auto c = static_cast<std::size_t>(component);
@@ -138,9 +141,11 @@ void WallRows::collect(std::int32_t index, int component) {
         const double square = dot(e, e);
         if (square < inner) {
           head[q] = kSolid - index;
+          stale_[q] = 1;
         } else if (square < outer) {
           candidates_.push_back({index, head[q]});
           head[q] = static_cast<std::int32_t>(candidates_.size() - 1);
+          stale_[q] = 1;
         }
       }
     }
@@ -177,13 +182,21 @@ void WallRows::add(const std::vector<Sphere>& spheres) {
     }
     ++sphere_count_;
   }
+  if (first == images_.size()) {
+    return;
+  }
+  stale_.assign(grid_.size, 0);
   for (int c = 0; c < 3; ++c) {
+    IndexBox all = reach_of(images_[first], c);
     for (std::size_t m = first; m < images_.size(); ++m) {
       collect(static_cast<std::int32_t>(m), c);
+      const IndexBox box = reach_of(images_[m], c);
+      for (std::size_t a = 0; a < 3; ++a) {
+        all.begin[a] = std::min(all.begin[a], box.begin[a]);
+        all.end[a] = std::max(all.end[a], box.end[a]);
+      }
     }
-    for (std::size_t m = first; m < images_.size(); ++m) {
-      make_rows(reach_of(images_[m], c), c);
-    }
+    make_stale_rows(all, c);
     wrap(c);
   }
   for (std::size_t m = first; m < images_.size(); ++m) {
@@ -192,6 +205,20 @@ void WallRows::add(const std::vector<Sphere>& spheres) {
       box.begin[a] = std::max(0, box.begin[a] - 1);
     }
     make_cells(box);
+  }
+}
+
+void WallRows::make_stale_rows(const IndexBox& box, int component) {
+  for (int k = box.begin[2]; k < box.end[2]; ++k) {
+    for (int j = box.begin[1]; j < box.end[1]; ++j) {
+      for (int i = box.begin[0]; i < box.end[0]; ++i) {
+        char& stale = stale_[grid_.index(i, j, k)];
+        if (stale != 0) {
+          stale = 0;
+          make_rows({{i, j, k}, {i + 1, j + 1, k + 1}}, component);
+        }
+      }
+    }
   }
 }
 
@@ -241,8 +268,8 @@ void WallRows::regular_row(int component, const std::array<int, 3>& at) {
   store(component, grid_.index(at[0], at[1], at[2]), {1.0, 1.0, 1.0}, diagonal);
 }
 
-WallRows::NearSurfaces WallRows::near_surfaces(int component,
-                                               const std::array<int, 3>& at) const {
+void WallRows::find_near_surfaces(int component, const std::array<int, 3>& at,
+                                  NearSurfaces& found) const {
   const std::size_t q = grid_.index(at[0], at[1], at[2]);
   const Vec3 x = grid_.location(component, at[0], at[1], at[2]);
   const int t1 = (component + 1) % 3;
@@ -251,7 +278,8 @@ WallRows::NearSurfaces WallRows::near_surfaces(int component,
   const double w2 = width(t2, at);
 
   // 1  the surfaces near, and the one that closes the face most
-  NearSurfaces found;
+  found.all.clear();
+  found.first = 0;
   int touching = 0;
   for (std::int32_t m = head_[static_cast<std::size_t>(component)][q]; m != kNone;
        m = candidates_[static_cast<std::size_t>(m)].next) {
@@ -289,7 +317,6 @@ WallRows::NearSurfaces WallRows::near_surfaces(int component,
     }
     found.open = std::min(found.open, sum / (kSamples * kSamples));
   }
-  return found;
 }
 
 double WallRows::moment(int component, const std::array<int, 3>& at) const {
@@ -298,7 +325,12 @@ double WallRows::moment(int component, const std::array<int, 3>& at) const {
   if (head <= kSolid) {
     return 0.0;
   }
-  return head == kNone ? reach_ : near_surfaces(component, at).open;
+  if (head == kNone) {
+    return reach_;
+  }
+  NearSurfaces found;
+  find_near_surfaces(component, at, found);
+  return found.open;
 }
 
 bool WallRows::away(int component, const std::array<int, 3>& at) const {
@@ -313,7 +345,8 @@ void WallRows::make_row(int component, const std::array<int, 3>& at) {
   const double w1 = width(t1, at);
   const double w2 = width(t2, at);
 
-  const NearSurfaces surfaces = near_surfaces(component, at);
+  NearSurfaces& surfaces = *scratch_;
+  find_near_surfaces(component, at, surfaces);
   const std::vector<Row>& near = surfaces.all;
   const Row& wall = near[surfaces.first];
   const double open = surfaces.open;

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "flow/axis_stencil.h"
@@ -48,6 +49,7 @@ class WallRows {
   static constexpr double kClosed = 1e-3;
 
   WallRows(const Grid& grid, const FlowFaces& faces);
+  ~WallRows();
 
   /// Adds a sphere (grid units; periodic images are found here) and updates the rows near.
   void add(const Sphere& sphere);
@@ -88,11 +90,13 @@ class WallRows {
   struct NearSurfaces;
 
   double width(int axis, const std::array<int, 3>& at) const;
-  NearSurfaces near_surfaces(int component, const std::array<int, 3>& at) const;
+  void find_near_surfaces(int component, const std::array<int, 3>& at,
+                          NearSurfaces& found) const;
 
   IndexBox reach_of(const Image& image, int component) const;
   void collect(std::int32_t image, int component);
   void make_rows(const IndexBox& box, int component);
+  void make_stale_rows(const IndexBox& box, int component);
   void make_row(int component, const std::array<int, 3>& at);
   void regular_row(int component, const std::array<int, 3>& at);
   void store(int component, std::size_t q, const std::array<double, 3>& factor,
@@ -112,6 +116,8 @@ class WallRows {
   int sphere_count_ = 0;
   std::array<std::vector<std::int32_t>, 3> head_;  ///< first candidate, -1 none, -2 solid
   std::vector<Candidate> candidates_;
+  std::vector<char> stale_;  ///< rows to be made again; all zero between calls
+  std::unique_ptr<NearSurfaces> scratch_;
 };
 
 }  // namespace colloid

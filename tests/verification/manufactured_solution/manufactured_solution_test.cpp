@@ -64,9 +64,8 @@ Errors solve(int n, int m) {
   });
   KrylovOptions options;
   options.target = 1e-8 * norm(view(rows), b, 1);
-  const KrylovStatistics s = solve_fgmres(
-      rows, b, x, [&](const Fields<float>& r, Fields<float>& z) { multigrid.apply(r, z); },
-      options);
+  const KrylovStatistics s = Fgmres(rows).solve(
+      b, x, [&](const Fields<float>& r, Fields<float>& z) { multigrid.apply(r, z); }, options);
   EXPECT_TRUE(s.converged);
 
   // Mean velocity and mean pressure are free in a periodic box.
