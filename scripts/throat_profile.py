@@ -131,6 +131,9 @@ of its own, in second order ({options.coarse}/{options.fine})^2 = {(options.coar
 |---|---|---|---|
 {table}
 
+The mid-line ends where two grains touch: at a distance x from there the gap between them is
+2(sqrt(R^2 + x^2) - R), R = {1e6 * WIDTH / 2:.1f} um; a cell of the coarse grid is {1e6 * WIDTH / options.coarse:.2f} um.
+
 ## What the picture says
 
 {says}
