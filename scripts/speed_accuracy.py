@@ -144,10 +144,10 @@ accuracy cost?
 
 K = L^3/(6 pi a k) from the measured permeability k, against K of Zick & Homsy (1982),
 J. Fluid Mech. 115, 13, Table 2. Periodic cube of period L, one sphere off every symmetry of
-the grid, driven by a body force. Solved from zero to a relative residual of 1e-6. Even
-numbers of cells. Seconds are those of the solve, the least of {runs}; setting up is apart, in table.csv.
-A work unit is one evaluation of the residual: the least time of a solve over the least time of
-an evaluation.
+the grid, driven by a body force. Even numbers of cells. Solved from zero to a relative residual
+of 1e-6. Seconds are those of the solve, the least of {runs}; table.csv has setting up apart.
+Work units are the least time of a solve over the least time of one residual evaluation: too
+many on a busy machine, where a short evaluation finds a quiet moment and a solve does not.
 
 {lines}
 
