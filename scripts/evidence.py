@@ -1,0 +1,63 @@
+"""What the scripts that write results/evidence share: run, say where from, draw."""
+import datetime
+import json
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SOLVER = ROOT / "build/release/solver/poreclog-solve"
+
+
+def add_common_options(parser, folder):
+    parser.add_argument("--solver", type=pathlib.Path, default=SOLVER,
+                        help="the program poreclog-solve (default: that of the release preset)")
+    parser.add_argument("--output", type=pathlib.Path,
+                        default=ROOT / "results/evidence" / folder,
+                        help="folder to write into (default: results/evidence/%s)" % folder)
+
+
+def measure(solver, scene, *options):
+    """The JSON object that `poreclog-solve measure` prints."""
+    command = [str(solver), "measure", str(scene), *map(str, options)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{shlex.join(command)}\nended with {done.returncode}: {done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
+def provenance(solver):
+    """Lines for a README: command, program, machine, date.  Call it before measuring, so
+    that the load is that of other programs."""
+    version = subprocess.run([str(solver), "--version"], capture_output=True, text=True,
+                             check=True).stdout.strip()
+    command = shlex.join(["python3", "scripts/" + pathlib.Path(sys.argv[0]).name, *sys.argv[1:]])
+    model = "unknown processor"
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            model = line.split(":", 1)[1].strip()
+            break
+    memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / 2**30
+    load = os.getloadavg()[0]
+    quiet = ("quiet" if load < 0.5 else
+             "busy with other programs: times are too long")
+    date = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
+    return [f"- command: `{command}`",
+            f"- program: {version}",
+            f"- machine: {model}, {os.cpu_count()} cores, {memory:.0f} GiB; one thread used",
+            f"- load before the run: {load:.2f} ({quiet})",
+            f"- date: {date}"]
+
+
+def write_csv(path, columns, rows):
+    """Each column is (name, format)."""
+    lines = [",".join(name for name, _ in columns)]
+    for row in rows:
+        lines.append(",".join(format(row[name], spec) for name, spec in columns))
+    path.write_text("\n".join(lines) + "\n")
+
+
+def gnuplot(script):
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
