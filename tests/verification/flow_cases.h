@@ -23,7 +23,8 @@ inline StokesProblem periodic_box(const Vec3& size, const std::array<int, 3>& ce
   return problem;
 }
 
-/// Radius of the sphere of a simple-cubic array of solid fraction c in a cube of `length`.
+/// Radius of the sphere of a simple-cubic array of solid fraction c in a cube of
+/// `length`.
 inline double array_radius(double c, double length) {
   return std::cbrt(3.0 * c / (4.0 * kPi)) * length;
 }
@@ -31,8 +32,8 @@ inline double array_radius(double c, double length) {
 /// One sphere off every symmetry of the grid in a periodic cube of n cells a side.
 inline StokesProblem simple_cubic_array(double c, int n) {
   StokesProblem problem = periodic_box({kLength, kLength, kLength}, {n, n, n});
-  problem.spheres = {{{0.513 * kLength, 0.471 * kLength, 0.537 * kLength},
-                      array_radius(c, kLength)}};
+  problem.spheres = {
+      {{0.513 * kLength, 0.471 * kLength, 0.537 * kLength}, array_radius(c, kLength)}};
   problem.drive.kind = FlowDrive::Kind::body_force;
   problem.drive.body_force = {0.0, 0.0, 1e3};
   return problem;
@@ -46,9 +47,9 @@ inline StokesProblem throat(int n) {
   problem.box.faces = {FaceCondition::wall, FaceCondition::wall,   FaceCondition::wall,
                        FaceCondition::wall, FaceCondition::outlet, FaceCondition::inlet};
   for (int corner = 0; corner < 4; ++corner) {
-    problem.spheres.push_back({{(corner % 2) * kCollector, (corner / 2) * kCollector,
-                                0.5 * kCollector},
-                               0.5 * kCollector});
+    problem.spheres.push_back(
+        {{(corner % 2) * kCollector, (corner / 2) * kCollector, 0.5 * kCollector},
+         0.5 * kCollector});
   }
   problem.viscosity = kViscosity;
   problem.drive.kind = FlowDrive::Kind::inlet_velocity;

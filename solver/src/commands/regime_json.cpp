@@ -42,7 +42,9 @@ Json pair_json(const PairRegime& pair) {
 
 }  // namespace
 
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json regime_json(const Regime& regime) {
   Json out;

@@ -36,7 +36,8 @@ AxisStencil make_axis_stencil(const Grid& grid, int axis, Kind lower, Kind upper
   AxisStencil s;
   s.at_face.resize(n + 1);
   s.at_centre.resize(n);
-  const auto length = static_cast<std::size_t>(whole_blocks(static_cast<int>(n) + 3) + kBlock);
+  const auto length =
+      static_cast<std::size_t>(whole_blocks(static_cast<int>(n) + 3) + kBlock);
   s.face_below.assign(length, 0.0F);
   s.face_above.assign(length, 0.0F);
   s.centre_below.assign(length, 0.0F);

@@ -2,7 +2,8 @@
 //
 // With a neighbour at distance D- below and D+ above (Shortley & Weller 1938),
 //
-//     u'' = p [ (u+ - u)/D+ - (u - u-)/D- ],      p = 2/(D- + D+).                MODEL (F5)
+//     u'' = p [ (u+ - u)/D+ - (u - u-)/D- ],      p = 2/(D- + D+).                MODEL
+//     (F5)
 //
 // A face of the box with a given velocity is a neighbour whose value is known; a face
 // without shear drops its term, and p is then one over the cell width.
@@ -20,9 +21,9 @@ enum class Side { neighbour, given_velocity, no_shear };
 
 /// One unknown's second difference; grid units.
 struct SecondDifference {
-  double prefactor = 0.0;       ///< p
-  double below = 1.0;           ///< D-
-  double above = 1.0;           ///< D+
+  double prefactor = 0.0;  ///< p
+  double below = 1.0;      ///< D-
+  double above = 1.0;      ///< D+
   Side side_below = Side::neighbour;
   Side side_above = Side::neighbour;
 

@@ -10,7 +10,7 @@ namespace colloid {
 
 namespace {
 
-constexpr int kScan = 12;      // points per side of a face in the first look for a clearance
+constexpr int kScan = 12;  // points per side of a face in the first look for a clearance
 constexpr int kRefinements = 40;  // halvings of the pattern search around the best point
 
 struct ClosedFace {
@@ -178,9 +178,9 @@ int open_subgrid_throats(WallRows& rows, const std::vector<Sphere>& spheres,
     }
   });
   std::sort(faces.begin(), faces.end(), [](const ClosedFace& a, const ClosedFace& b) {
-    return a.clearance != b.clearance ? a.clearance > b.clearance
-                                      : (a.component != b.component
-                                             ? a.component < b.component
+    return a.clearance != b.clearance
+               ? a.clearance > b.clearance
+               : (a.component != b.component ? a.component < b.component
                                              : a.face < b.face);
   });
 
@@ -192,8 +192,7 @@ int open_subgrid_throats(WallRows& rows, const std::vector<Sphere>& spheres,
     }
     regions.join(f.below, f.above);
     const auto c = static_cast<std::size_t>(f.component);
-    const double area =
-        grid.width[(c + 1) % 3].front() * grid.width[(c + 2) % 3].front();
+    const double area = grid.width[(c + 1) % 3].front() * grid.width[(c + 2) % 3].front();
     rows.open_subgrid(f.component, f.face,
                       kDuctConductance * std::pow(f.clearance, 4) / area);
     ++opened;

@@ -1,10 +1,11 @@
 // Which cells the grid connects, and throats narrower than the grid.
 //
-// Touching spheres on a coarse grid can close every face of a throat that is open in truth.
-// Such a throat must not end a run: where the inlet is cut off from the outlet, the closed
-// faces with the largest clearance (the radius of the largest circle on the face that no
-// surface touches) are opened, each as a duct of that size, until both are joined; the
-// widest path is taken, as in the definition of the critical diameter.        MODEL (F15)
+// Touching spheres on a coarse grid can close every face of a throat that is open in
+// truth. Such a throat must not end a run: where the inlet is cut off from the outlet,
+// the closed faces with the largest clearance (the radius of the largest circle on the
+// face that no surface touches) are opened, each as a duct of that size, until both are
+// joined; the widest path is taken, as in the definition of the critical diameter. MODEL
+// (F15)
 #pragma once
 
 #include <vector>
@@ -19,7 +20,8 @@ namespace colloid {
 /// factor of about 1.5.
 constexpr double kDuctConductance = 0.5623;
 
-/// Cells joined through open faces share a label; cells without an open face have their own.
+/// Cells joined through open faces share a label; cells without an open face have their
+/// own.
 class Connectivity {
  public:
   explicit Connectivity(const WallRows& rows);

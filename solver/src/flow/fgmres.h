@@ -11,9 +11,9 @@
 namespace colloid {
 
 struct KrylovOptions {
-  double target = 0.0;      ///< 2-norm of the residual to reach
+  double target = 0.0;  ///< 2-norm of the residual to reach
   int max_iterations = 200;
-  int restart = 20;         ///< basis vectors kept; each costs 32 bytes a cell
+  int restart = 20;  ///< basis vectors kept; each costs 32 bytes a cell
   int threads = 1;
 };
 
@@ -33,7 +33,8 @@ class Fgmres {
 
   /// Improves x, a solution of M x = b, until |b - M x| <= target.
   KrylovStatistics solve(const Fields<double>& b, Fields<double>& x,
-                         const Preconditioner& precondition, const KrylovOptions& options);
+                         const Preconditioner& precondition,
+                         const KrylovOptions& options);
 
  private:
   std::vector<double> extend(std::size_t j, double length,

@@ -27,8 +27,8 @@ Vec3 Grid::location(int component, int i, int j, int k) const {
   Vec3 x;
   for (int a = 0; a < 3; ++a) {
     const auto s = static_cast<std::size_t>(a);
-    x[a] = component == a ? position[s][static_cast<std::size_t>(at[s])]
-                          : centre(a, at[s]);
+    x[a] =
+        component == a ? position[s][static_cast<std::size_t>(at[s])] : centre(a, at[s]);
   }
   return x;
 }

@@ -1,18 +1,19 @@
-// One level of the staggered (marker-and-cell) grid: where cells and faces are, and how the
-// arrays of one level are laid out.
+// One level of the staggered (marker-and-cell) grid: where cells and faces are, and how
+// the arrays of one level are laid out.
 //
 // Harlow & Welch (1965): pressure at cell centres, each velocity component on the faces
-// normal to it.  Face i of an axis is the lower face of cell i.  Every array of a level has
-// the same layout, with one layer of halo at the lower side and room for face n at the upper
-// one, so one index serves all four unknowns:
+// normal to it.  Face i of an axis is the lower face of cell i.  Every array of a level
+// has the same layout, with one layer of halo at the lower side and room for face n at
+// the upper one, so one index serves all four unknowns:
 //
 //     index(i, j, k),   -1 <= i <= nx,  -1 <= j <= ny,  -1 <= k <= nz,   x fastest.
 //
-// Rows are padded to whole vectors of the machine, so that the kernels have no loop for the
-// rest; what lies in the padding is zero, or a halo that is filled again before it is read.
+// Rows are padded to whole vectors of the machine, so that the kernels have no loop for
+// the rest; what lies in the padding is zero, or a halo that is filled again before it is
+// read.
 //
-// The finest level is uniform along each axis.  A coarse level joins cells in pairs; an odd
-// number leaves one narrow cell at the upper end, so widths are kept per cell.
+// The finest level is uniform along each axis.  A coarse level joins cells in pairs; an
+// odd number leaves one narrow cell at the upper end, so widths are kept per cell.
 #pragma once
 
 #include <array>
@@ -28,7 +29,9 @@ enum Component : int { u_x, u_y, u_z, pressure };
 
 /// Entries of a row are processed in blocks of this many: 64 bytes of floats.
 constexpr int kBlock = 16;
-constexpr int whole_blocks(int count) { return (count + kBlock - 1) / kBlock * kBlock; }
+constexpr int whole_blocks(int count) {
+  return (count + kBlock - 1) / kBlock * kBlock;
+}
 
 struct Grid {
   std::array<int, 3> cells{};                   ///< number of cells per axis
@@ -52,8 +55,8 @@ struct Grid {
     return static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]) *
            static_cast<std::size_t>(cells[2]);
   }
-  /// One past the last index along `axis` of the unknowns of `component`: a face component
-  /// has n + 1 faces along its own axis unless that axis is periodic.
+  /// One past the last index along `axis` of the unknowns of `component`: a face
+  /// component has n + 1 faces along its own axis unless that axis is periodic.
   int end(int component, int axis) const {
     const auto a = static_cast<std::size_t>(axis);
     return cells[a] + (component == axis && !periodic[a] ? 1 : 0);
@@ -65,7 +68,6 @@ struct Grid {
   }
   /// Where the unknown (component, i, j, k) lives, grid units.
   Vec3 location(int component, int i, int j, int k) const;
-
 };
 
 /// The uniform finest grid of a box of `extent` (grid units).

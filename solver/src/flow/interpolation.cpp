@@ -7,8 +7,8 @@ namespace colloid {
 
 namespace {
 
-// Two neighbouring unknowns along an axis and their weights.  Index -1 and n stand for the
-// values beyond the box (halo of a periodic axis, given velocity of a wall).
+// Two neighbouring unknowns along an axis and their weights.  Index -1 and n stand for
+// the values beyond the box (halo of a periodic axis, given velocity of a wall).
 struct Pair {
   std::array<int, 2> index{};
   std::array<double, 2> weight{};
@@ -30,8 +30,8 @@ Pair bracket(const Grid& grid, const AxisStencil& stencil, int component, int ax
   const int i = std::clamp(static_cast<int>(std::floor(x / spacing - 0.5)), -1, n - 1);
   double t = x / spacing - 0.5 - i;
   pair.index = {i, i + 1};
-  // Between the outermost centre and the box: half a spacing to a given velocity, nothing to
-  // interpolate where there is no shear.
+  // Between the outermost centre and the box: half a spacing to a given velocity, nothing
+  // to interpolate where there is no shear.
   const bool periodic = grid.periodic[a];
   if (i == -1 && !periodic) {
     const bool given = stencil.at_centre.front().side_below == Side::given_velocity;
@@ -44,8 +44,8 @@ Pair bracket(const Grid& grid, const AxisStencil& stencil, int component, int ax
   return pair;
 }
 
-// Distance of a point from the nearest of the spheres near these unknowns; periodic images
-// count.  Grid units.
+// Distance of a point from the nearest of the spheres near these unknowns; periodic
+// images count.  Grid units.
 double surface_distance(const std::vector<Sphere>& spheres, const Grid& grid,
                         const std::vector<int>& near, const Vec3& x) {
   double distance = 1e300;
@@ -117,16 +117,16 @@ double component_at(const StokesSolver& solver, int component, const Vec3& x) {
   if (near.empty()) {
     return plain;
   }
-  const double distance =
-      surface_distance(solver.grid_spheres(), grid, near, x);
+  const double distance = surface_distance(solver.grid_spheres(), grid, near, x);
   if (distance <= 0.0) {
     return 0.0;
   }
-  // From half a spacing to a whole one the profile from the wall passes into the plain one;
-  // next to a wall of the box the wall's own no slip rules.
+  // From half a spacing to a whole one the profile from the wall passes into the plain
+  // one; next to a wall of the box the wall's own no slip rules.
   const double spacing = grid.position[0][1];
-  const double from_wall =
-      beyond || open_weight <= 0.0 ? 0.0 : std::clamp(2.0 - 2.0 * distance / spacing, 0.0, 1.0);
+  const double from_wall = beyond || open_weight <= 0.0
+                               ? 0.0
+                               : std::clamp(2.0 - 2.0 * distance / spacing, 0.0, 1.0);
   return from_wall > 0.0
              ? from_wall * distance * shear / open_weight + (1.0 - from_wall) * plain
              : plain;

@@ -1,7 +1,8 @@
 #include "flow/kernels.h"
 
 // One version of each loop per instruction set, chosen when the program starts.  Without
-// contraction of products (the project compiles with -ffp-contract=off) they agree bitwise.
+// contraction of products (the project compiles with -ffp-contract=off) they agree
+// bitwise.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__)
 #define PORECLOG_CLONES \
@@ -59,7 +60,8 @@ PORECLOG_CLONES void balance_plane(const LevelView& m, const Fields<In>& u,
 #pragma GCC ivdep
         for (std::size_t i = 0; i < n; ++i) {
           const Out viscous =
-              Out(a0[i]) * (Out(x_below[i]) * Out(x[i - 1]) + Out(x_above[i]) * Out(x[i + 1])) +
+              Out(a0[i]) *
+                  (Out(x_below[i]) * Out(x[i - 1]) + Out(x_above[i]) * Out(x[i + 1])) +
               Out(a1[i]) * (y_below * Out((x - sy)[i]) + y_above * Out((x + sy)[i])) +
               Out(a2[i]) * (z_below * Out((x - sz)[i]) + z_above * Out((x + sz)[i]));
           out[i] = (kHasForce ? rhs[i] : Out(0)) - d * Out(x[i]) + viscous -
@@ -72,7 +74,8 @@ PORECLOG_CLONES void balance_plane(const LevelView& m, const Fields<In>& u,
 #pragma GCC ivdep
         for (std::size_t i = 0; i < n; ++i) {
           const Out viscous =
-              Out(a0[i]) * (Out(x_below[i]) * Out(x[i - 1]) + Out(x_above[i]) * Out(x[i + 1])) +
+              Out(a0[i]) *
+                  (Out(x_below[i]) * Out(x[i - 1]) + Out(x_above[i]) * Out(x[i + 1])) +
               Out(a1[i]) * (y_below * Out((x - sy)[i]) + y_above * Out((x + sy)[i])) +
               Out(a2[i]) * (z_below * Out((x - sz)[i]) + z_above * Out((x + sz)[i]));
           out[i] = (kHasForce ? rhs[i] : Out(0)) - d * Out(x[i]) + viscous -
@@ -90,9 +93,10 @@ PORECLOG_CLONES void balance_plane(const LevelView& m, const Fields<In>& u,
     const Out dz = m.divergence[2][kk];
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
-      out[i] = (kHasForce ? rhs[i] : Out(0)) - (Out(dx[i]) * (Out(ux[i + 1]) - Out(ux[i])) +
-                         dy * (Out((uy + sy)[i]) - Out(uy[i])) +
-                         dz * (Out((uz + sz)[i]) - Out(uz[i])));
+      out[i] =
+          (kHasForce ? rhs[i] : Out(0)) -
+          (Out(dx[i]) * (Out(ux[i + 1]) - Out(ux[i])) +
+           dy * (Out((uy + sy)[i]) - Out(uy[i])) + dz * (Out((uz + sz)[i]) - Out(uz[i])));
     }
   }
 }
@@ -103,12 +107,14 @@ void residual_plane(const LevelView& m, const Fields<In>& u, const Fields<Out>& 
   balance_plane<true>(m, u, f, r, k);
 }
 
-void minus_apply_plane(const LevelView& m, const Fields<float>& z, Fields<double>& w, int k) {
+void minus_apply_plane(const LevelView& m, const Fields<float>& z, Fields<double>& w,
+                       int k) {
   balance_plane<false>(m, z, w, w, k);
 }
 
 PORECLOG_CLONES void schur_start_plane(const LevelView& m, const Fields<float>& r,
-                                       float alpha, float omega, float* b, float* q, int k) {
+                                       float alpha, float omega, float* b, float* q,
+                                       int k) {
   const std::ptrdiff_t sy = m.stride_y;
   const std::ptrdiff_t sz = m.stride_z;
   const std::size_t n = row_length(m);
@@ -164,14 +170,13 @@ PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float 
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
       const float here = old[i];
-      const float applied =
-          inverse * dx[i] *
-              (gx[i + 1] * sx[i + 1] * (old[i + 1] - here) -
-               gx[i] * sx[i] * (here - old[i - 1])) +
-          gy1 * (sv + sy)[i] * ((old + sy)[i] - here) -
-          gy0 * sv[i] * (here - (old - sy)[i]) +
-          gz1 * (sw + sz)[i] * ((old + sz)[i] - here) -
-          gz0 * sw[i] * (here - (old - sz)[i]);
+      const float applied = inverse * dx[i] *
+                                (gx[i + 1] * sx[i + 1] * (old[i + 1] - here) -
+                                 gx[i] * sx[i] * (here - old[i - 1])) +
+                            gy1 * (sv + sy)[i] * ((old + sy)[i] - here) -
+                            gy0 * sv[i] * (here - (old - sy)[i]) +
+                            gz1 * (sw + sz)[i] * ((old + sz)[i] - here) -
+                            gz0 * sw[i] * (here - (old - sz)[i]);
       out[i] = here - omega * (rhs[i] - applied) * scale[i];
     }
   }
@@ -181,7 +186,8 @@ PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
                                    const float* q, float alpha, bool from_zero,
                                    Fields<float>& u, int k) {
   const std::size_t n = row_length(m);
-  const float factor = static_cast<float>(1.0 / (static_cast<double>(alpha) * m.diagonal));
+  const float factor =
+      static_cast<float>(1.0 / (static_cast<double>(alpha) * m.diagonal));
   const float keep = from_zero ? 0.0F : 1.0F;
   const std::array<std::ptrdiff_t, 3> stride{1, m.stride_y, m.stride_z};
   for (int j = 0; j < m.end[1]; ++j) {
@@ -215,8 +221,8 @@ PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
 }
 
 template <class A, class B>
-PORECLOG_CLONES double dot_plane(const LevelView& m, const Fields<A>& a, const Fields<B>& b,
-                                 int k) {
+PORECLOG_CLONES double dot_plane(const LevelView& m, const Fields<A>& a,
+                                 const Fields<B>& b, int k) {
   constexpr std::size_t kLanes = 8;
   std::array<double, kLanes> sum{};
   const std::size_t n = static_cast<std::size_t>(m.end[0]);  // no halos in sums
@@ -228,7 +234,8 @@ PORECLOG_CLONES double dot_plane(const LevelView& m, const Fields<A>& a, const F
       std::size_t i = 0;
       for (; i + kLanes <= n; i += kLanes) {
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          sum[lane] += static_cast<double>(x[i + lane]) * static_cast<double>(y[i + lane]);
+          sum[lane] +=
+              static_cast<double>(x[i + lane]) * static_cast<double>(y[i + lane]);
         }
       }
       for (; i < n; ++i) {
@@ -254,7 +261,8 @@ PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const Fields<X>& x
       Y* __restrict out = y[c] + at;
 #pragma GCC ivdep
       for (std::size_t i = 0; i < n; ++i) {
-        out[i] = static_cast<Y>(static_cast<double>(out[i]) + s * static_cast<double>(in[i]));
+        out[i] =
+            static_cast<Y>(static_cast<double>(out[i]) + s * static_cast<double>(in[i]));
       }
     }
   }

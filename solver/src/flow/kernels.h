@@ -1,7 +1,8 @@
-// The loops in which the solver spends its time.  Each works on the plane k = const of one
-// level, so callers may hand planes to threads; no result depends on who does which plane.
-// Halos must be filled (halo.h).  Symbols as in MODEL section F: L the scaled viscous
-// operator, G the gradient, D the divergence, S the row scales, d the common diagonal.
+// The loops in which the solver spends its time.  Each works on the plane k = const of
+// one level, so callers may hand planes to threads; no result depends on who does which
+// plane. Halos must be filled (halo.h).  Symbols as in MODEL section F: L the scaled
+// viscous operator, G the gradient, D the divergence, S the row scales, d the common
+// diagonal.
 #pragma once
 
 #include "flow/level.h"
@@ -15,20 +16,21 @@ void residual_plane(const LevelView& m, const Fields<In>& u, const Fields<Out>& 
                     Fields<Out>& r, int k);
 
 /// w = -M z on one plane: the residual for a right-hand side of zero.
-void minus_apply_plane(const LevelView& m, const Fields<float>& z, Fields<double>& w, int k);
+void minus_apply_plane(const LevelView& m, const Fields<float>& z, Fields<double>& w,
+                       int k);
 
 /// First step of the pressure of a Braess-Sarazin sweep: b = D r/d - alpha r_p, and one
 /// Jacobi step from zero, q = -omega b / diag.                                      (F12)
-void schur_start_plane(const LevelView& m, const Fields<float>& r, float alpha, float omega,
-                       float* b, float* q, int k);
+void schur_start_plane(const LevelView& m, const Fields<float>& r, float alpha,
+                       float omega, float* b, float* q, int k);
 
 /// A Jacobi step on D S G q / d = b.                                                (F13)
 void schur_step_plane(const LevelView& m, const float* b, float omega, const float* q,
                       float* q_new, int k);
 
-/// u += (r - S G q) / (alpha d),  p += q; `u` is set, not added to, if `from_zero`.   (F14)
-void correct_plane(const LevelView& m, const Fields<float>& r, const float* q, float alpha,
-                   bool from_zero, Fields<float>& u, int k);
+/// u += (r - S G q) / (alpha d),  p += q; `u` is set, not added to, if `from_zero`. (F14)
+void correct_plane(const LevelView& m, const Fields<float>& r, const float* q,
+                   float alpha, bool from_zero, Fields<float>& u, int k);
 
 /// Sum of a_i b_i over one plane, accumulated in double in a fixed order.
 template <class A, class B>
@@ -40,6 +42,7 @@ void axpy_plane(const LevelView& m, double s, const Fields<X>& x, Fields<Y>& y, 
 
 /// y = s x on one plane.
 template <class X, class Y>
-void scaled_copy_plane(const LevelView& m, double s, const Fields<X>& x, Fields<Y>& y, int k);
+void scaled_copy_plane(const LevelView& m, double s, const Fields<X>& x, Fields<Y>& y,
+                       int k);
 
 }  // namespace colloid

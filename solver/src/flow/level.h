@@ -9,7 +9,8 @@
 
 namespace colloid {
 
-/// One value per unknown: three face velocities and a pressure, arrays as laid out by Grid.
+/// One value per unknown: three face velocities and a pressure, arrays as laid out by
+/// Grid.
 template <class Real>
 struct Fields {
   std::array<std::vector<Real>, 4> a;
@@ -20,7 +21,9 @@ struct Fields {
       x.assign(size, Real(0));
     }
   }
-  Real* operator[](int component) { return a[static_cast<std::size_t>(component)].data(); }
+  Real* operator[](int component) {
+    return a[static_cast<std::size_t>(component)].data();
+  }
   const Real* operator[](int component) const {
     return a[static_cast<std::size_t>(component)].data();
   }

@@ -49,8 +49,8 @@ Multigrid::Multigrid(const WallRows& finest, const FlowFaces& faces,
   std::array<bool, 3> along{};
   while (axes_to_coarsen(levels_.back().walls->grid(), along)) {
     const Grid coarse = coarsen(levels_.back().walls->grid(), along);
-    levels_.back().transfer = make_transfer(levels_.back().walls->grid(), coarse,
-                                            levels_.back().walls->axes());
+    levels_.back().transfer =
+        make_transfer(levels_.back().walls->grid(), coarse, levels_.back().walls->axes());
     levels_.emplace_back();
     levels_.back().rows = std::make_unique<WallRows>(coarse, faces);
     levels_.back().rows->add(spheres);
@@ -91,9 +91,9 @@ void Multigrid::residual(Level& level, Fields<float>& u, const Fields<float>& f)
 //   last         u and p corrected                needs q  of k-1, k; u no longer needed
 //
 // On one thread they follow each other at two planes' distance, so that a plane passes
-// through all of them while it is in the cache; stage s starts at plane s and ends at plane
-// s - 1, which makes the order right for a periodic axis too.  On several threads each stage
-// is finished before the next: the same operations on the same numbers.
+// through all of them while it is in the cache; stage s starts at plane s and ends at
+// plane s - 1, which makes the order right for a periodic axis too.  On several threads
+// each stage is finished before the next: the same operations on the same numbers.
 void Multigrid::sweep(Level& level, const Fields<float>& f, Fields<float>& u,
                       bool from_zero, int number) {
   const Grid& grid = level.walls->grid();
@@ -115,8 +115,8 @@ void Multigrid::sweep(Level& level, const Fields<float>& f, Fields<float>& u,
         }
       }
     } else if (s == 1) {
-      schur_start_plane(m, r, alpha, options_.omega[0], level.b.data(),
-                        level.q[0].data(), k);
+      schur_start_plane(m, r, alpha, options_.omega[0], level.b.data(), level.q[0].data(),
+                        k);
       fill_halo_of_plane(grid, level.q[0].data(), k);
     } else if (s <= steps) {
       const auto step = static_cast<std::size_t>(s - 1);

@@ -1,16 +1,19 @@
 // Geometric multigrid for the Stokes system: an approximate inverse in single precision.
 //
-// Smoother: the inexact Braess-Sarazin sweep (Braess & Sarazin 1997; He & MacLachlan 2018,
-// "Local Fourier analysis of block-structured multigrid relaxation schemes for the Stokes
-// equations").  Velocities take a Jacobi step; a pressure that keeps them divergence-free
-// comes from a few Jacobi steps on D C^-1 G, C the diagonal of the momentum rows:
+// Smoother: the inexact Braess-Sarazin sweep (Braess & Sarazin 1997; He & MacLachlan
+// 2018, "Local Fourier analysis of block-structured multigrid relaxation schemes for the
+// Stokes equations").  Velocities take a Jacobi step; a pressure that keeps them
+// divergence-free comes from a few Jacobi steps on D C^-1 G, C the diagonal of the
+// momentum rows:
 //
 //     [ alpha C   S G ] [du]   [ r   ]
-//     [   D        0  ] [dp] = [ r_p ]                                         MODEL (F11)
+//     [   D        0  ] [dp] = [ r_p ]                                         MODEL
+//     (F11)
 //
-// Two alphas in turn damp like two Chebyshev steps.  Chosen against the cell-wise diagonal
-// Vanka smoother, which needs fewer sweeps but couples neighbours in sequence: Jacobi steps
-// run at the speed of memory, in any order, on any number of threads, with one result.
+// Two alphas in turn damp like two Chebyshev steps.  Chosen against the cell-wise
+// diagonal Vanka smoother, which needs fewer sweeps but couples neighbours in sequence:
+// Jacobi steps run at the speed of memory, in any order, on any number of threads, with
+// one result.
 #pragma once
 
 #include <array>
@@ -58,9 +61,9 @@ class Multigrid {
     const WallRows* walls = nullptr;
     LevelView view;
     Fields<float> u, f, r;
-    std::vector<float> b;                ///< right-hand side of the pressure steps
-    std::vector<std::vector<float>> q;   ///< pressure after each of them
-    LevelTransfer transfer;  ///< to the next coarser level
+    std::vector<float> b;               ///< right-hand side of the pressure steps
+    std::vector<std::vector<float>> q;  ///< pressure after each of them
+    LevelTransfer transfer;             ///< to the next coarser level
   };
 
   void sweep(Level& level, const Fields<float>& f, Fields<float>& u, bool from_zero,

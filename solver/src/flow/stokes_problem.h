@@ -34,8 +34,8 @@ struct StokesProblem {
   std::array<int, 3> cells{};
 };
 
-/// Axis along which the flow is driven: the inlet's, or the largest component of the force
-/// or mean velocity; -1 for none.
+/// Axis along which the flow is driven: the inlet's, or the largest component of the
+/// force or mean velocity; -1 for none.
 int flow_axis(const StokesProblem& problem);
 
 struct StokesOptions {
@@ -53,7 +53,7 @@ struct StokesStatistics {
   double seconds = 0.0;        ///< of the solve
   double setup_seconds = 0.0;  ///< rows, coarse levels
   double residual_ns_per_cell = 0.0;
-  int subgrid_openings = 0;    ///< throats below the grid, opened by their conductance
+  int subgrid_openings = 0;  ///< throats below the grid, opened by their conductance
 };
 
 /// Force and torque of the fluid on a surface, torque about the sphere's centre.

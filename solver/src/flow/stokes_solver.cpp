@@ -1,11 +1,12 @@
 #include "flow/stokes_solver.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <limits>
+
+#include <Eigen/Dense>
 
 #include "core/error.h"
 #include "flow/connectivity.h"
@@ -21,7 +22,8 @@ using Kind = FlowDrive::Kind;
 // Evaluations timed for the work unit.
 constexpr std::size_t kTimedResiduals = 5;
 
-// Transverse response, relative, below which an axis needs no force to hold its mean zero.
+// Transverse response, relative, below which an axis needs no force to hold its mean
+// zero.
 constexpr double kUncoupled = 1e-9;
 constexpr double kLoosest = 0.05;  // tolerance of a sideways unit problem
 
@@ -105,8 +107,8 @@ StokesSolver::StokesSolver(const StokesProblem& problem, const StokesOptions& op
     : problem_(problem), options_(options) {
   length_ = std::numeric_limits<double>::max();
   for (int a = 0; a < 3; ++a) {
-    length_ = std::min(length_,
-                       problem_.box.size[a] / problem_.cells[static_cast<std::size_t>(a)]);
+    length_ = std::min(
+        length_, problem_.box.size[a] / problem_.cells[static_cast<std::size_t>(a)]);
   }
   build();
 }
@@ -246,7 +248,8 @@ void StokesSolver::make_lift() {
     for_boundary(grid, f, [&](const std::array<int, 3>& at) {
       const std::size_t q = grid.index(at[0], at[1], at[2]);
       const std::size_t cell = inner_cell(grid, f, at);
-      const auto ghost = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + beyond);
+      const auto ghost =
+          static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + beyond);
       if (face.kind == FlowFace::Kind::pressure) {
         lift_.a[pressure][ghost] = face.pressure;
       } else if (face.kind == FlowFace::Kind::velocity) {
@@ -314,10 +317,10 @@ void StokesSolver::solve_system(const Fields<double>& b, Fields<double>& x, doub
   statistics_.residual_ns_per_cell =
       1e9 * residual_seconds / static_cast<double>(rows_->grid().cell_count());
   if (!found.converged) {
-    throw ConvergenceError(
-        "Stokes solver: residual " + std::to_string(found.residual / scale) +
-        " of the drive's after " + std::to_string(found.iterations) + " iterations, wanted " +
-        std::to_string(tolerance));
+    throw ConvergenceError("Stokes solver: residual " +
+                           std::to_string(found.residual / scale) +
+                           " of the drive's after " + std::to_string(found.iterations) +
+                           " iterations, wanted " + std::to_string(tolerance));
   }
 }
 
@@ -342,8 +345,8 @@ const StokesStatistics& StokesSolver::solve() {
   const Fields<double> f = force_rows(grid_force_);
   true_residual(*rows_, level, lift_, f, b, options_.threads);
   for (std::size_t c = 0; c < 4; ++c) {
-    const auto& open = c < 3 ? rows_->coefficients().row_scale[c]
-                             : rows_->coefficients().cell_scale;
+    const auto& open =
+        c < 3 ? rows_->coefficients().row_scale[c] : rows_->coefficients().cell_scale;
     for (std::size_t q = 0; q < b.a[c].size(); ++q) {
       b.a[c][q] = open[q] > 0.0F ? b.a[c][q] : 0.0;
     }
@@ -377,8 +380,8 @@ void StokesSolver::solve_mean_velocity() {
   std::array<double, 3> tolerance{};  // 0: axis not used, or done
   std::array<bool, 3> used{};
   for (std::size_t a = 0; a < 3; ++a) {
-    const bool driven = problem_.box.periodic(static_cast<int>(a)) &&
-                        wanted[static_cast<int>(a)] != 0.0;
+    const bool driven =
+        problem_.box.periodic(static_cast<int>(a)) && wanted[static_cast<int>(a)] != 0.0;
     tolerance[a] = driven ? options_.tolerance : 0.0;
     used[a] = driven;
   }
@@ -469,7 +472,8 @@ double StokesSolver::largest_speed() const {
         double square = 0.0;
         for (int c = 0; c < 3; ++c) {
           const auto& u = flow_.a[static_cast<std::size_t>(c)];
-          const double mean = 0.5 * (u[q] + u[q + static_cast<std::size_t>(grid.stride(c))]);
+          const double mean =
+              0.5 * (u[q] + u[q + static_cast<std::size_t>(grid.stride(c))]);
           square += mean * mean;
         }
         largest = std::max(largest, square);
@@ -485,7 +489,8 @@ int flow_axis(const StokesProblem& problem) {
       return axis_of(f);
     }
   }
-  if (problem.drive.kind == Kind::body_force || problem.drive.kind == Kind::mean_velocity) {
+  if (problem.drive.kind == Kind::body_force ||
+      problem.drive.kind == Kind::mean_velocity) {
     const Vec3 v = problem.drive.kind == Kind::body_force ? problem.drive.body_force
                                                           : problem.drive.mean_velocity;
     int axis = 0;
@@ -498,9 +503,9 @@ int flow_axis(const StokesProblem& problem) {
 }
 
 // Mean pressure on a face of the box, extrapolated linearly from the two cells inside.  A
-// plug flow that meets a no-slip wall makes the pressure singular like 1/r in that corner,
-// and the mean over the whole face grows like log(1/h); so the mean is taken over the core
-// of the face, a quarter of its width away from walls.
+// plug flow that meets a no-slip wall makes the pressure singular like 1/r in that
+// corner, and the mean over the whole face grows like log(1/h); so the mean is taken over
+// the core of the face, a quarter of its width away from walls.
 double StokesSolver::face_pressure(int face) const {
   const FlowFace& condition = faces_[static_cast<std::size_t>(face)];
   if (condition.kind == FlowFace::Kind::pressure) {
@@ -517,7 +522,8 @@ double StokesSolver::mean_pressure_near(int face, double margin) const {
   const auto in_core = [&](const std::array<int, 3>& at) {
     for (int a = 0; a < 3; ++a) {
       const double extent = grid.position[static_cast<std::size_t>(a)].back();
-      const double x = a == axis ? 0.5 : grid.centre(a, at[static_cast<std::size_t>(a)]) / extent;
+      const double x =
+          a == axis ? 0.5 : grid.centre(a, at[static_cast<std::size_t>(a)]) / extent;
       if ((problem_.box.face(2 * a) == FaceCondition::wall && x < margin) ||
           (problem_.box.face(2 * a + 1) == FaceCondition::wall && x > 1.0 - margin)) {
         return false;
@@ -544,15 +550,16 @@ double StokesSolver::mean_pressure_near(int face, double margin) const {
   return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
-Vec3 StokesSolver::body_force() const { return grid_force_ * (pressure_unit() / length_); }
+Vec3 StokesSolver::body_force() const {
+  return grid_force_ * (pressure_unit() / length_);
+}
 
 double StokesSolver::pressure_drop() const {
   const int axis = flow_axis();
   if (axis < 0) {
     return 0.0;
   }
-  const double by_force =
-      std::abs(body_force()[axis]) * problem_.box.size[axis];
+  const double by_force = std::abs(body_force()[axis]) * problem_.box.size[axis];
   double in = 0.0;
   double out = 0.0;
   for (int f = 0; f < kFaces; ++f) {
@@ -588,7 +595,9 @@ double StokesSolver::flow_rate() const {
   return std::abs(superficial_velocity()[axis]) * area;
 }
 
-Vec3 StokesSolver::superficial_velocity() const { return mean_velocity(flow_); }
+Vec3 StokesSolver::superficial_velocity() const {
+  return mean_velocity(flow_);
+}
 
 double StokesSolver::permeability() const {
   const int axis = flow_axis();

@@ -29,20 +29,20 @@ class StokesSolver {
   const StokesProblem& problem() const { return problem_; }
 
   int flow_axis() const { return colloid::flow_axis(problem_); }
-  double largest_speed() const;        ///< at cell centres [m/s]
-  double pressure_drop() const;        ///< along the flow axis, in flow direction [Pa]
-  double flow_rate() const;            ///< through the box along the flow axis [m^3/s]
-  Vec3 superficial_velocity() const;   ///< mean over the whole box, solid included [m/s]
+  double largest_speed() const;       ///< at cell centres [m/s]
+  double pressure_drop() const;       ///< along the flow axis, in flow direction [Pa]
+  double flow_rate() const;           ///< through the box along the flow axis [m^3/s]
+  Vec3 superficial_velocity() const;  ///< mean over the whole box, solid included [m/s]
   /// k = Q mu L/(A dP) [m^2]; not a number if nothing drives the flow along an axis.
   double permeability() const;
-  Vec3 body_force() const;             ///< acting, given or found [N/m^3]
+  Vec3 body_force() const;  ///< acting, given or found [N/m^3]
 
   // Level data for interpolation and forces; grid units (length, velocity and pressure
   // units below).
   const WallRows& rows() const { return *rows_; }
   const Fields<double>& fields() const { return flow_; }
-  double length_unit() const { return length_; }      ///< [m]
-  double velocity_unit() const { return 1.0; }        ///< [m/s]
+  double length_unit() const { return length_; }                         ///< [m]
+  double velocity_unit() const { return 1.0; }                           ///< [m/s]
   double pressure_unit() const { return problem_.viscosity / length_; }  ///< [Pa]
   const FlowFaces& flow_faces() const { return faces_; }
   Vec3 grid_body_force() const { return grid_force_; }
@@ -70,7 +70,7 @@ class StokesSolver {
   std::unique_ptr<WallRows> rows_;
   std::unique_ptr<Multigrid> multigrid_;
   std::unique_ptr<Fgmres> krylov_;
-  bool blocked_ = false;          ///< no way from inlet to outlet, not even below the grid
+  bool blocked_ = false;  ///< no way from inlet to outlet, not even below the grid
   std::vector<bool> inlet_open_;  ///< per cell: fed by an inlet that reaches the outlet
   Fields<double> lift_;           ///< given boundary values, zero elsewhere
   Fields<double> x_;              ///< unknowns

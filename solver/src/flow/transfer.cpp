@@ -8,7 +8,9 @@ namespace colloid {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 bool is_coarsened(const Grid& fine, const Grid& coarse, int axis) {
   return coarse.cells[at(axis)] != fine.cells[at(axis)];
@@ -40,8 +42,7 @@ LineTransfer face_line(const Grid& fine, const Grid& coarse, int axis) {
     const int below = i == n ? count : i / 2;
     t.near.push_back(below);
     t.far.push_back(shared ? below : below + 1);
-    const double share =
-        shared ? 1.0 : w[at(i)] / (w[at(i - 1)] + w[at(i)]);
+    const double share = shared ? 1.0 : w[at(i)] / (w[at(i - 1)] + w[at(i)]);
     t.near_part.push_back(static_cast<float>(share));
     t.far_part.push_back(static_cast<float>(1.0 - share));
   }
@@ -54,8 +55,8 @@ LineTransfer face_line(const Grid& fine, const Grid& coarse, int axis) {
     const int last_single = n % 2 == 1 ? n - 1 : -2;
     const bool pair_below = has_below && (i + n - 1) % n != last_single;
     const bool pair_above = has_above && i % n != last_single;
-    const double own = 0.5 * ((has_below ? width_at(i - 1) : 0.0) +
-                              (has_above ? width_at(i) : 0.0));
+    const double own =
+        0.5 * ((has_below ? width_at(i - 1) : 0.0) + (has_above ? width_at(i) : 0.0));
     const double below = pair_below ? 0.5 * width_at(i - 2) : 0.0;
     const double above = pair_above ? 0.5 * width_at(i + 1) : 0.0;
     const double sum = own + below + above;
@@ -81,8 +82,7 @@ LineTransfer centre_line(const Grid& fine, const Grid& coarse, int axis,
     if (!inject && offset != 0.0) {
       const bool inside = fine.periodic[at(axis)] || (other >= 0 && other < count);
       if (inside) {
-        const double distance =
-            0.5 * (W[at(parent)] + W[at((other + count) % count)]);
+        const double distance = 0.5 * (W[at(parent)] + W[at((other + count) % count)]);
         share = 1.0 - std::abs(offset) / distance;
       } else {
         const Side side = offset > 0.0 ? stencil.at_centre.back().side_above
@@ -119,16 +119,17 @@ LineTransfer with_rows(LineTransfer t) {
   for (std::size_t i = 0; i < t.near.size(); ++i) {
     const std::size_t parent = i / 2;
     const bool even = i % 2 == 0;
-    for (const auto& [index, weight] : {std::pair{t.near[i], t.near_part[i]},
-                                        std::pair{t.far[i], t.far_part[i]}}) {
+    for (const auto& [index, weight] :
+         {std::pair{t.near[i], t.near_part[i]}, std::pair{t.far[i], t.far_part[i]}}) {
       const bool here = index == static_cast<int>(parent);
-      (even ? (here ? t.even_here : t.even_below) : (here ? t.odd_here : t.odd_above))
-          [parent] += weight;
+      (even ? (here ? t.even_here : t.even_below)
+            : (here ? t.odd_here : t.odd_above))[parent] += weight;
     }
   }
   for (std::size_t coarse = 0; coarse < t.first.size(); ++coarse) {
     for (std::size_t m = 0; m < 3; ++m) {
-      const int offset = t.first[coarse] + static_cast<int>(m) - 2 * static_cast<int>(coarse) + 1;
+      const int offset =
+          t.first[coarse] + static_cast<int>(m) - 2 * static_cast<int>(coarse) + 1;
       if (t.part[coarse][m] != 0.0F) {
         t.take[at(offset)][coarse] += t.part[coarse][m];
       }
@@ -168,7 +169,8 @@ void add_row(float weight, const float* __restrict row, float* __restrict sum,
 
 void restrict_row(const LineTransfer& x, const float* sum, const float* open, float* out,
                   std::size_t count) {
-  const float* __restrict s = sum;  // s[2I], s[2I + 1], s[2I + 2]: fine 2I - 1, 2I, 2I + 1
+  const float* __restrict s =
+      sum;  // s[2I], s[2I + 1], s[2I + 2]: fine 2I - 1, 2I, 2I + 1
   const float* __restrict first = x.take[0].data();
   const float* __restrict second = x.take[1].data();
   const float* __restrict third = x.take[2].data();
@@ -204,8 +206,7 @@ LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
   for (int a = 0; a < 3; ++a) {
     if (is_coarsened(fine, coarse, a)) {
       t.face[at(a)] = with_rows(face_line(fine, coarse, a));
-      t.centre[at(a)] =
-          with_rows(centre_line(fine, coarse, a, fine_axes[at(a)], false));
+      t.centre[at(a)] = with_rows(centre_line(fine, coarse, a, fine_axes[at(a)], false));
       t.cell[at(a)] = with_rows(centre_line(fine, coarse, a, fine_axes[at(a)], true));
     } else {
       t.face[at(a)] = identity(fine.cells[at(a)] + 1);
@@ -216,8 +217,9 @@ LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
   return t;
 }
 
-void restrict_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
-                    const Fields<float>& r_fine, Fields<float>& f_coarse, int K) {
+void restrict_plane(const LevelTransfer& t, const LevelView& fine,
+                    const LevelView& coarse, const Fields<float>& r_fine,
+                    Fields<float>& f_coarse, int K) {
   std::vector<float> sum(sum_length(fine));
   const auto length = at(fine.end[0] + 2);
   for (int c = 0; c < 4; ++c) {
@@ -234,8 +236,10 @@ void restrict_plane(const LevelTransfer& t, const LevelView& fine, const LevelVi
           const float weight = z.part[at(K)][b] * y.part[at(J)][a];
           if (weight != 0.0F) {
             add_row(weight,
-                    r_fine[c] + row_begin(fine, y.first[at(J)] + static_cast<int>(a),
-                                          z.first[at(K)] + static_cast<int>(b)) - 1,
+                    r_fine[c] +
+                        row_begin(fine, y.first[at(J)] + static_cast<int>(a),
+                                  z.first[at(K)] + static_cast<int>(b)) -
+                        1,
                     sum.data(), length);
           }
         }

@@ -1,9 +1,9 @@
 // Residuals to the next coarser level, corrections back from it.
 //
 // Restriction averages fine residuals over the control volume of the coarse unknown.
-// Velocity corrections are interpolated linearly along every axis, the pressure's is copied
-// from the parent cell.  Weights are one-dimensional; narrow last cells and axes that are
-// not coarsened are in them.
+// Velocity corrections are interpolated linearly along every axis, the pressure's is
+// copied from the parent cell.  Weights are one-dimensional; narrow last cells and axes
+// that are not coarsened are in them.
 #pragma once
 
 #include <array>
@@ -42,8 +42,9 @@ LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
                             const std::array<AxisStencil, 3>& fine_axes);
 
 /// f_coarse = averages of r_fine on the coarse plane K; zero in closed rows and cells.
-void restrict_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
-                    const Fields<float>& r_fine, Fields<float>& f_coarse, int K);
+void restrict_plane(const LevelTransfer& t, const LevelView& fine,
+                    const LevelView& coarse, const Fields<float>& r_fine,
+                    Fields<float>& f_coarse, int K);
 
 /// u_fine += interpolation of u_coarse on the fine plane k, in open rows and cells.
 void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,

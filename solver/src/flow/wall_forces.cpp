@@ -46,8 +46,8 @@ class RowBalance {
         if (kind == Side::no_shear || own_wall) {
           continue;
         }
-        const auto there = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(q) +
-                                                    (side == 0 ? -1 : 1) * grid_.stride(a));
+        const auto there = static_cast<std::size_t>(
+            static_cast<std::ptrdiff_t>(q) + (side == 0 ? -1 : 1) * grid_.stride(a));
         const double pull = side_area * (u[there] - u[q]) / distance;
         if (kind == Side::given_velocity) {
           balance.wall = 2 * a + side;
@@ -75,7 +75,8 @@ class RowBalance {
       return w[static_cast<std::size_t>(i)];
     }
     const bool periodic = grid_.periodic[a];
-    const double below = i > 0 || periodic ? w[static_cast<std::size_t>((i + n - 1) % n)] : 0.0;
+    const double below =
+        i > 0 || periodic ? w[static_cast<std::size_t>((i + n - 1) % n)] : 0.0;
     const double above = i < n || periodic ? w[static_cast<std::size_t>(i % n)] : 0.0;
     return 0.5 * (below + above);
   }
@@ -108,8 +109,9 @@ class RowBalance {
   Vec3 force_;
 };
 
-// Pressure with the cells next to open ones filled in by their mean.  Inside one sphere the
-// value drops out of the sums; where two spheres share closed cells it should be near.
+// Pressure with the cells next to open ones filled in by their mean.  Inside one sphere
+// the value drops out of the sums; where two spheres share closed cells it should be
+// near.
 std::vector<double> filled_pressure(const StokesSolver& solver) {
   const Grid& grid = solver.rows().grid();
   const auto& open = solver.rows().coefficients().cell_scale;
@@ -166,7 +168,8 @@ WallForces wall_forces(const StokesSolver& solver) {
           const Balance balance = balance_of(c, at);
           const NearestSurface surface = rows.nearest(c, i, j, k);
           if (rows.on_given_face(c, at)) {
-            const auto own = static_cast<std::size_t>(2 * c + (at[static_cast<std::size_t>(c)] == 0 ? 0 : 1));
+            const auto own = static_cast<std::size_t>(
+                2 * c + (at[static_cast<std::size_t>(c)] == 0 ? 0 : 1));
             forces.faces[own][c] += balance.total;
             continue;
           }

@@ -152,7 +152,9 @@ void WallRows::collect(std::int32_t index, int component) {
   }
 }
 
-void WallRows::add(const Sphere& sphere) { add(std::vector<Sphere>{sphere}); }
+void WallRows::add(const Sphere& sphere) {
+  add(std::vector<Sphere>{sphere});
+}
 
 void WallRows::add(const std::vector<Sphere>& spheres) {
   const std::size_t first = images_.size();
@@ -252,8 +254,8 @@ void WallRows::close(int component, std::size_t q) {
 void WallRows::store(int component, std::size_t q, const std::array<double, 3>& factor,
                      double diagonal) {
   const auto c = static_cast<std::size_t>(component);
-  const double scale =
-      coefficients_.diagonal / std::max(diagonal, kLeastDiagonal * coefficients_.diagonal);
+  const double scale = coefficients_.diagonal /
+                       std::max(diagonal, kLeastDiagonal * coefficients_.diagonal);
   coefficients_.row_scale[c][q] = static_cast<float>(scale);
   for (std::size_t a = 0; a < 3; ++a) {
     coefficients_.link[c][a][q] = static_cast<float>(factor[a] * scale);
@@ -294,7 +296,8 @@ void WallRows::find_near_surfaces(int component, const std::array<int, 3>& at,
     touching += s.moment == s.distance ? 0 : 1;
     found.all.push_back(s);
     const Row& best = found.all[found.first];
-    if (s.moment < best.moment || (s.moment == best.moment && s.distance < best.distance)) {
+    if (s.moment < best.moment ||
+        (s.moment == best.moment && s.distance < best.distance)) {
       found.first = found.all.size() - 1;
     }
   }
@@ -375,7 +378,8 @@ void WallRows::make_row(int component, const std::array<int, 3>& at) {
       }
       const double slope = sign * wall.normal[a];
       const double there = wall.distance + slope * step;
-      const double moment = wall_moment(there, wall.normal[t1] * w1, wall.normal[t2] * w2);
+      const double moment =
+          wall_moment(there, wall.normal[t1] * w1, wall.normal[t2] * w2);
       pull[side] = (moment / step - slope) / wall.moment;
       if (there < 0.0) {
         distance[side] = step * std::min(1.0, wall.moment / (wall.moment - there));
@@ -386,16 +390,15 @@ void WallRows::make_row(int component, const std::array<int, 3>& at) {
         if (&s == &wall || norm(there_from_center) >= s.image->radius) {
           continue;
         }
-        const double cut = std::max(
-            kShortestLink * step,
-            distance_along(s.from_center, a, sign, s.image->radius, step));
+        const double cut =
+            std::max(kShortestLink * step,
+                     distance_along(s.from_center, a, sign, s.image->radius, step));
         pull[side] = std::max(pull[side], 1.0 / cut);
         distance[side] = std::min(distance[side], cut);
       }
     }
     const bool free = d.side_below == Side::no_shear || d.side_above == Side::no_shear;
-    const double prefactor =
-        free ? d.prefactor : 2.0 / (distance[0] + distance[1]);
+    const double prefactor = free ? d.prefactor : 2.0 / (distance[0] + distance[1]);
     if (free) {
       pull = {std::max(0.0, pull[0]), std::max(0.0, pull[1])};
     }

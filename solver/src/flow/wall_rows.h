@@ -1,18 +1,19 @@
 // The momentum rows of one grid level, spheres and faces of the box included.
 //
 // The unknown of a face is the mean normal velocity through the WHOLE face, solid part
-// included (velocity zero there): so the discrete divergence sums exact fluxes, and mass is
-// conserved to the last digit however the spheres cut the cells.  Near a sphere the velocity
-// grows linearly with the distance, so a cut face carries the shear times its wall moment M
-// (wall_moment.h), and M takes the place of the distance in the Shortley-Weller difference:
-// a row is exact for the linear profile of a plane wall in any position, MODEL (F8).
-// A face is open while M is above kClosed; M, and with it the whole system, depends
-// continuously on where the spheres are.
+// included (velocity zero there): so the discrete divergence sums exact fluxes, and mass
+// is conserved to the last digit however the spheres cut the cells.  Near a sphere the
+// velocity grows linearly with the distance, so a cut face carries the shear times its
+// wall moment M (wall_moment.h), and M takes the place of the distance in the
+// Shortley-Weller difference: a row is exact for the linear profile of a plane wall in
+// any position, MODEL (F8). A face is open while M is above kClosed; M, and with it the
+// whole system, depends continuously on where the spheres are.
 //
 // Rejected: faces open where their centre is fluid (fluxes then have a first-order error
-// that no refinement of the rows removes: K of a simple-cubic array stalls 0.06 % off), and
-// averaging fine operators for the coarse levels (this rule, applied to the coarse grid's
-// own cut faces, already gives convergence that depends neither on size nor on crowding).
+// that no refinement of the rows removes: K of a simple-cubic array stalls 0.06 % off),
+// and averaging fine operators for the coarse levels (this rule, applied to the coarse
+// grid's own cut faces, already gives convergence that depends neither on size nor on
+// crowding).
 #pragma once
 
 #include <array>
@@ -25,8 +26,8 @@
 
 namespace colloid {
 
-/// Coefficients of one level; arrays as laid out by Grid.  A row of the momentum equation is
-/// divided by its own diagonal and multiplied by `diagonal`, the same for all rows:
+/// Coefficients of one level; arrays as laid out by Grid.  A row of the momentum equation
+/// is divided by its own diagonal and multiplied by `diagonal`, the same for all rows:
 ///
 ///   diagonal u - sum_axes link (w- u- + w+ u+) + row_scale (grad p - f) = 0        (F9)
 struct Coefficients {
@@ -51,12 +52,14 @@ class WallRows {
   WallRows(const Grid& grid, const FlowFaces& faces);
   ~WallRows();
 
-  /// Adds a sphere (grid units; periodic images are found here) and updates the rows near.
+  /// Adds a sphere (grid units; periodic images are found here) and updates the rows
+  /// near.
   void add(const Sphere& sphere);
   /// As add(), many at once: rows that two spheres share are made once.
   void add(const std::vector<Sphere>& spheres);
 
-  /// Opens a closed face as a sub-grid throat: mean velocity = conductance x (f - grad p).
+  /// Opens a closed face as a sub-grid throat: mean velocity = conductance x (f - grad
+  /// p).
   void open_subgrid(int component, std::size_t face, double conductance);
 
   /// Effective wall distance of a face: its moment (wall_moment.h); at least the reach of

@@ -20,8 +20,7 @@ FlowScales flow_scales(const StokesSolver& solver, double critical_diameter) {
   if (axis < 0) {
     return scales;
   }
-  const double area =
-      problem.box.size[(axis + 1) % 3] * problem.box.size[(axis + 2) % 3];
+  const double area = problem.box.size[(axis + 1) % 3] * problem.box.size[(axis + 2) % 3];
   scales.inlet_speed = std::abs(solver.flow_rate()) / area;
   const double open = narrowest_open_area(problem.box, problem.spheres, axis);
   scales.throat_speed = open > 0.0 ? std::abs(solver.flow_rate()) / open : 0.0;
@@ -54,10 +53,11 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
   CriticalDiameterOptions search;
   search.flow_axis = std::max(0, flow_axis(problem));
   m.critical = critical_diameter(problem.box, problem.spheres, search);
-  require(!m.critical.blocked || problem.drive.kind != FlowDrive::Kind::inlet_velocity,
-          "/drive/inlet_velocity",
-          "the way from the inlet to the outlet is blocked (critical diameter 0), no flux "
-          "can be held; expected a pressure_drop");
+  require(
+      !m.critical.blocked || problem.drive.kind != FlowDrive::Kind::inlet_velocity,
+      "/drive/inlet_velocity",
+      "the way from the inlet to the outlet is blocked (critical diameter 0), no flux "
+      "can be held; expected a pressure_drop");
 
   StokesSolver solver(problem, flow);
   m.statistics = solver.solve();

@@ -85,7 +85,7 @@ EnergyForce computed(const Row& row) {
   }
   const Electrolyte liquid{row.ionic_strength, 78.55, row.temperature};
   const DoubleLayerTerm layer{row.a, row.psi_1, row.psi_2, permittivity(liquid),
-                          debye_length(liquid)};
+                              debye_length(liquid)};
   if (row.form == "constant_potential") {
     return {constant_potential_energy(layer, h), constant_potential_force(layer, h)};
   }

@@ -1,7 +1,7 @@
 // Flow in ducts without grains: see README.md beside this file.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "flow/interpolation.h"
 #include "flow_cases.h"
@@ -12,8 +12,8 @@ namespace {
 // A duct of width x height in cells, periodic along z, driven by a body force along -z.
 StokesProblem duct(int width, int height) {
   const double cell = cases::kLength / width;
-  StokesProblem problem = cases::periodic_box(
-      {cases::kLength, height * cell, 4 * cell}, {width, height, 4});
+  StokesProblem problem =
+      cases::periodic_box({cases::kLength, height * cell, 4 * cell}, {width, height, 4});
   for (std::size_t f = x_minus; f <= y_plus; ++f) {
     problem.box.faces[f] = FaceCondition::wall;
   }
@@ -41,11 +41,13 @@ TEST_P(Duct, PermeabilityConvergesAtSecondOrder) {
   std::array<int, 3> cells{12, 24, 48};
   for (std::size_t m = 0; m < 3; ++m) {
     error[m] =
-        relative_permeability(duct(cells[m], section.ratio * cells[m])) / section.exact - 1;
+        relative_permeability(duct(cells[m], section.ratio * cells[m])) / section.exact -
+        1;
     std::printf("1:%d  %d cells  error %+.2e  times n^2 %.3f\n", section.ratio, cells[m],
                 error[m], error[m] * cells[m] * cells[m]);
-    // The flux is a midpoint sum: off by h^2/24 times the profile's mean second derivative,
-    // relative to the mean velocity 1/(24 k n^2).  The differences' own error is smaller.
+    // The flux is a midpoint sum: off by h^2/24 times the profile's mean second
+    // derivative, relative to the mean velocity 1/(24 k n^2).  The differences' own error
+    // is smaller.
     EXPECT_LT(std::abs(error[m]), 1.0 / (24.0 * section.exact * cells[m] * cells[m]));
   }
   EXPECT_GT(error[0] / error[1], 3.0);
@@ -54,14 +56,14 @@ TEST_P(Duct, PermeabilityConvergesAtSecondOrder) {
 
 // k/W^2: series solution of Poisson's equation (White 1991, eq 3-48).
 INSTANTIATE_TEST_SUITE_P(Sections, Duct,
-                         ::testing::Values(Section{1, 0.0351442537}, Section{2, 0.0571704},
-                                           Section{4, 0.0702032}),
+                         ::testing::Values(Section{1, 0.0351442537},
+                                           Section{2, 0.0571704}, Section{4, 0.0702032}),
                          [](const ::testing::TestParamInfo<Section>& instance) {
                            return "OneTo" + std::to_string(instance.param.ratio);
                          });
 
-// Between plates the scheme is exact at the cells' centres (differences of a parabola), so
-// the flux is the midpoint sum, k = (1 + 1/(2 n^2))/12, to the accuracy of the solve.
+// Between plates the scheme is exact at the cells' centres (differences of a parabola),
+// so the flux is the midpoint sum, k = (1 + 1/(2 n^2))/12, to the accuracy of the solve.
 TEST(Slit, FluxIsTheMidpointSumOfTheExactParabola) {
   for (int n : {8, 16, 31}) {
     StokesProblem problem = duct(n, 4);
@@ -72,7 +74,8 @@ TEST(Slit, FluxIsTheMidpointSumOfTheExactParabola) {
   }
 }
 
-// Symmetry faces: half a slit between a wall and its middle plane carries the same profile.
+// Symmetry faces: half a slit between a wall and its middle plane carries the same
+// profile.
 TEST(Slit, SymmetryFaceStandsForTheOtherHalf) {
   for (int n : {8, 16}) {
     StokesProblem problem = duct(n, 4);
@@ -92,7 +95,8 @@ TEST(SquareDuct, LargestOverMeanVelocity) {
   for (int n : {15, 31}) {  // odd: the axis is a cell's centre
     StokesSolver solver(duct(n, n), StokesOptions{});
     solver.solve();
-    const double axis = velocity_at(solver, {cases::kLength / 2, cases::kLength / 2, 0.0}).z;
+    const double axis =
+        velocity_at(solver, {cases::kLength / 2, cases::kLength / 2, 0.0}).z;
     error[m] = axis / solver.superficial_velocity().z / kExact - 1.0;
     // The mean is off by at most 1/(24 k n^2) = 1.2/n^2 (see above), the axis by no more.
     EXPECT_LT(std::abs(error[m]), 2.4 / (n * n));
@@ -101,8 +105,8 @@ TEST(SquareDuct, LargestOverMeanVelocity) {
   EXPECT_GT(error[0] / error[1], 3.0);
 }
 
-// An open duct driven by a pressure drop or by its inlet velocity gives the permeability of
-// the endless one, up to what the inlet's plug profile costs.
+// An open duct driven by a pressure drop or by its inlet velocity gives the permeability
+// of the endless one, up to what the inlet's plug profile costs.
 TEST(SquareDuct, OpenEndsUnderPressureDrop) {
   for (int n : {12, 24}) {
     StokesProblem problem = duct(n, n);

@@ -1,7 +1,7 @@
 // Forces on all surfaces against the drive: see README.md beside this file.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "flow/wall_forces.h"
 #include "flow_cases.h"
@@ -50,7 +50,8 @@ TEST(ForceBalance, NothingPushesWhereAVelocityIsGivenOnEveryFace) {
 
 TEST(ForceBalance, BodyForceIsTakenByTheSpheres) {
   StokesProblem problem = cases::periodic_box({1e-4, 1e-4, 1e-4}, {24, 24, 24});
-  problem.spheres = {{{3.1e-5, 2.7e-5, 3.3e-5}, 1.5e-5}, {{7.2e-5, 6.9e-5, 6.1e-5}, 2.2e-5}};
+  problem.spheres = {{{3.1e-5, 2.7e-5, 3.3e-5}, 1.5e-5},
+                     {{7.2e-5, 6.9e-5, 6.1e-5}, 2.2e-5}};
   problem.drive.kind = FlowDrive::Kind::body_force;
   problem.drive.body_force = {2e3, -1e3, 5e3};
   StokesSolver solver(problem, StokesOptions{});
@@ -78,8 +79,8 @@ TEST(Symmetry, ForcesOnTheFourCollectorsMirrorEachOther) {
   EXPECT_NEAR(forces[0].force.x / forces[0].force.y, 1.0, 1e-5);
 }
 
-// Reciprocity (Lorentz): the force that a flow along x puts on a sphere along y is the one
-// that the flow along y puts along x.  Holds in the limit; second order on the grid.
+// Reciprocity (Lorentz): the force that a flow along x puts on a sphere along y is the
+// one that the flow along y puts along x.  Holds in the limit; second order on the grid.
 TEST(Symmetry, MobilityTensorIsSymmetric) {
   std::array<double, 2> error{};
   std::size_t m = 0;
@@ -88,7 +89,8 @@ TEST(Symmetry, MobilityTensorIsSymmetric) {
     double diagonal = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
       StokesProblem problem = cases::periodic_box({1e-4, 1e-4, 1e-4}, {n, n, n});
-      problem.spheres = {{{3.1e-5, 2.7e-5, 5e-5}, 2.1e-5}, {{6.7e-5, 6.1e-5, 5e-5}, 2.1e-5}};
+      problem.spheres = {{{3.1e-5, 2.7e-5, 5e-5}, 2.1e-5},
+                         {{6.7e-5, 6.1e-5, 5e-5}, 2.1e-5}};
       problem.drive.kind = FlowDrive::Kind::body_force;
       problem.drive.body_force[axis] = 1e3;
       StokesSolver solver(problem, StokesOptions{});

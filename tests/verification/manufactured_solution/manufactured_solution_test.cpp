@@ -1,7 +1,7 @@
 // The operator and the solver against a solution made up: see README.md beside this file.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "core/constants.h"
 #include "flow/fgmres.h"
@@ -37,7 +37,8 @@ struct Errors {
   int iterations = 0;
 };
 
-// The unit cube in n x m x n cells; uneven numbers put a narrow cell into the coarse levels.
+// The unit cube in n x m x n cells; uneven numbers put a narrow cell into the coarse
+// levels.
 Errors solve(int n, int m) {
   FlowFaces faces;
   for (FlowFace& f : faces) {
@@ -59,13 +60,15 @@ Errors solve(int n, int m) {
   for_all([&](int i, int j, int k, std::size_t q) {
     for (int c = 0; c < 3; ++c) {
       b[c][q] = force(c, grid.location(c, i, j, k)) *
-                static_cast<double>(rows.coefficients().row_scale[static_cast<std::size_t>(c)][q]);
+                static_cast<double>(
+                    rows.coefficients().row_scale[static_cast<std::size_t>(c)][q]);
     }
   });
   KrylovOptions options;
   options.target = 1e-8 * norm(view(rows), b, 1);
   const KrylovStatistics s = Fgmres(rows).solve(
-      b, x, [&](const Fields<float>& r, Fields<float>& z) { multigrid.apply(r, z); }, options);
+      b, x, [&](const Fields<float>& r, Fields<float>& z) { multigrid.apply(r, z); },
+      options);
   EXPECT_TRUE(s.converged);
 
   // Mean velocity and mean pressure are free in a periodic box.
@@ -95,8 +98,9 @@ Errors solve(int n, int m) {
   return errors;
 }
 
-// Leading truncation: second differences are off by (2 pi h)^2/12 of themselves, divergence
-// and gradient by (2 pi h)^2/24.  The solution inherits a few times that: bound 4/12.
+// Leading truncation: second differences are off by (2 pi h)^2/12 of themselves,
+// divergence and gradient by (2 pi h)^2/24.  The solution inherits a few times that:
+// bound 4/12.
 TEST(ManufacturedSolution, ConvergesAtSecondOrderInTheMaximumNorm) {
   std::array<Errors, 3> errors;
   std::array<int, 3> cells{16, 32, 64};

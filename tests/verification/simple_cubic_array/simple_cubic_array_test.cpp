@@ -1,7 +1,7 @@
 // Drag on a periodic simple-cubic array of spheres: see README.md beside this file.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "flow/wall_forces.h"
 #include "flow_cases.h"
@@ -10,9 +10,9 @@ namespace colloid {
 namespace {
 
 struct Case {
-  double c;               // solid fraction
-  double drag;            // K, Zick & Homsy 1982
-  std::array<int, 3> n;   // cells per period: each twice the one before
+  double c;                     // solid fraction
+  double drag;                  // K, Zick & Homsy 1982
+  std::array<int, 3> n;         // cells per period: each twice the one before
   std::array<double, 3> bound;  // largest relative error allowed
 };
 
@@ -32,21 +32,20 @@ TEST_P(SimpleCubicArray, ApproachesZickAndHomsyAtSecondOrder) {
     const StokesStatistics& s = solver.solve();
     drag[m] = drag_by_permeability(solver, a);
     const double error = drag[m] / k.drag - 1.0;
-    std::printf("c %.3f  %5.1f cells per diameter  K %.5f  error %+.3f %%  %d iterations\n",
-                k.c, 2.0 * a / cases::kLength * k.n[m], drag[m], 100.0 * error,
-                s.iterations);
+    std::printf(
+        "c %.3f  %5.1f cells per diameter  K %.5f  error %+.3f %%  %d iterations\n", k.c,
+        2.0 * a / cases::kLength * k.n[m], drag[m], 100.0 * error, s.iterations);
     EXPECT_LT(std::abs(error), k.bound[m]);
     EXPECT_LE(s.iterations, 11);
 
     // The force on the sphere is an independent sum over its cut rows; both must agree to
     // the accuracy of the solve.
     const Wrench w = wall_forces(solver).spheres[0];
-    const double by_force = w.force.z / (6.0 * kPi * cases::kViscosity * a *
-                                         solver.superficial_velocity().z);
+    const double by_force =
+        w.force.z / (6.0 * kPi * cases::kViscosity * a * solver.superficial_velocity().z);
     EXPECT_NEAR(by_force / drag[m], 1.0, 1e-5);
   }
-  const double order =
-      std::log2((drag[1] - drag[0]) / (drag[2] - drag[1]));
+  const double order = std::log2((drag[1] - drag[0]) / (drag[2] - drag[1]));
   std::printf("c %.3f  observed order %.2f\n", k.c, order);
   EXPECT_GT(order, 1.6);
   EXPECT_LT(order, 2.6);
@@ -94,8 +93,7 @@ TEST(SimpleCubicArrayDrives, DragDependsLittleOnThePositionInTheCell) {
                                  cases::kLength / 2 + 0.07 * m * cell};
     StokesSolver solver(problem, StokesOptions{});
     solver.solve();
-    const double drag =
-        drag_by_permeability(solver, problem.spheres[0].radius);
+    const double drag = drag_by_permeability(solver, problem.spheres[0].radius);
     low = std::min(low, drag);
     high = std::max(high, drag);
   }

@@ -1,7 +1,7 @@
 // What the solver costs and promises: see README.md beside this file.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "flow/wall_forces.h"
@@ -17,8 +17,8 @@ StokesProblem crowded_throat(int n, int colloids, std::uint64_t seed) {
   return problem;
 }
 
-// Iterations from zero to 1e-6 depend neither on size (19 thousand to 0.8 million cells, odd
-// numbers too) nor on crowding (up to a throat filled with 70 touching colloids).
+// Iterations from zero to 1e-6 depend neither on size (19 thousand to 0.8 million cells,
+// odd numbers too) nor on crowding (up to a throat filled with 70 touching colloids).
 TEST(Iterations, DependNeitherOnSizeNorOnCrowding) {
   int fewest = 1000;
   int most = 0;
@@ -26,8 +26,8 @@ TEST(Iterations, DependNeitherOnSizeNorOnCrowding) {
     for (int colloids : {0, 30, 70}) {
       StokesSolver solver(crowded_throat(n, colloids, 5), StokesOptions{});
       const StokesStatistics& s = solver.solve();
-      std::printf("%3d cells across, %3d colloids: %2d iterations, %d sub-grid faces\n", n,
-                  colloids, s.iterations, s.subgrid_openings);
+      std::printf("%3d cells across, %3d colloids: %2d iterations, %d sub-grid faces\n",
+                  n, colloids, s.iterations, s.subgrid_openings);
       fewest = std::min(fewest, s.iterations);
       most = std::max(most, s.iterations);
       EXPECT_TRUE(s.converged);
@@ -66,7 +66,8 @@ TEST(WarmStart, AfterOneRetentionNeedsNoMoreThanFromZero) {
   StokesSolver fresh(problem, StokesOptions{});
   fresh.solve();
   EXPECT_NEAR(solver.pressure_drop() / fresh.pressure_drop(), 1.0, 1e-5);
-  EXPECT_EQ(solver.rows().coefficients().row_scale, fresh.rows().coefficients().row_scale);
+  EXPECT_EQ(solver.rows().coefficients().row_scale,
+            fresh.rows().coefficients().row_scale);
   std::printf("from zero %d iterations, after one retention %d\n", cold, warm);
 }
 
@@ -95,8 +96,8 @@ TEST(Threads, ResultsAreTheSameBitForBit) {
   }
 }
 
-// Mass: every open cell is free of divergence to the tolerance, and planes across the throat
-// carry what the inlet gives.
+// Mass: every open cell is free of divergence to the tolerance, and planes across the
+// throat carry what the inlet gives.
 TEST(Conservation, EveryPlaneCarriesTheSameFlux) {
   const StokesProblem problem = crowded_throat(24, 60, 4);
   StokesSolver solver(problem, StokesOptions{});
@@ -121,7 +122,8 @@ StokesProblem pinhole(double hole, int n) {
   problem.box.size = {width, width, width};
   problem.box.faces = {FaceCondition::wall, FaceCondition::wall,   FaceCondition::wall,
                        FaceCondition::wall, FaceCondition::outlet, FaceCondition::inlet};
-  // Four spheres in a square, overlapping, so that the hole between them has this diameter.
+  // Four spheres in a square, overlapping, so that the hole between them has this
+  // diameter.
   const double radius = 14e-6;
   const double offset = (radius + 0.5 * hole) / std::sqrt(2.0);
   for (double sx : {-1.0, 1.0}) {
@@ -172,7 +174,8 @@ TEST(Blocked, HeldFluxIsRefusedAndAPressureDropGivesNoFlow) {
   problem.drive.pressure_drop = 10.0;
   StokesSolver solver(problem, StokesOptions{});
   solver.solve();
-  EXPECT_NEAR(solver.permeability() / (problem.box.size.x * problem.box.size.x), 0.0, 1e-9);
+  EXPECT_NEAR(solver.permeability() / (problem.box.size.x * problem.box.size.x), 0.0,
+              1e-9);
 }
 
 }  // namespace

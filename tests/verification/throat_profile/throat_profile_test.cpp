@@ -1,8 +1,8 @@
 // Velocity profiles across the throat: see README.md beside this file.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "flow/interpolation.h"
 #include "flow_cases.h"
@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kPoints = 97;
 
-// Axial velocity along the diagonal and the side of the throat's narrowest plane, and along
-// the axis of the box: the lines of the paper's Figure 4.
+// Axial velocity along the diagonal and the side of the throat's narrowest plane, and
+// along the axis of the box: the lines of the paper's Figure 4.
 std::vector<double> profile(const StokesSolver& solver, int line) {
   const double width = solver.problem().box.size.x;
   std::vector<double> values;
@@ -48,11 +48,13 @@ TEST(ThroatProfile, ApproachesAFiveTimesFinerMesh) {
     }
     const double rms = std::sqrt(square / kPoints) / peak;
     const double rms_coarser = std::sqrt(square_coarser / kPoints) / peak;
-    std::printf("line %zu: rms error %.2f %% of the peak at 12 cells across, %.2f %% at 24\n",
-                line, 100.0 * rms_coarser, 100.0 * rms);
+    std::printf(
+        "line %zu: rms error %.2f %% of the peak at 12 cells across, %.2f %% at 24\n",
+        line, 100.0 * rms_coarser, 100.0 * rms);
     // Ten cells span the opening at 24: trilinear interpolation of a parabola alone costs
-    // (1/10)^2 x 4/8 of the peak on average, both ways; twice that is allowed, and the error
-    // of a coarser mesh must be larger by the square of the ratio, within 2.5 and 7.
+    // (1/10)^2 x 4/8 of the peak on average, both ways; twice that is allowed, and the
+    // error of a coarser mesh must be larger by the square of the ratio, within 2.5
+    // and 7.
     EXPECT_LT(rms, 0.03);
     EXPECT_GT(rms_coarser / rms, 2.5);
     EXPECT_LT(rms_coarser / rms, 7.0);
