@@ -24,7 +24,9 @@ using Json = nlohmann::ordered_json;
 constexpr int kSchemaVersion = 1;
 constexpr const char* kFaceNames[kFaces] = {"x-", "x+", "y-", "y+", "z-", "z+"};
 
-Json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+Json vector_json(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 Json wrench_json(const Wrench& w) {
   return {{"force_N", vector_json(w.force)}, {"torque_N_m", vector_json(w.torque)}};
@@ -55,11 +57,11 @@ Json measurement_json(const Measurement& m) {
                  {"spacing_m", vector_json(m.spacing)}};
   out["flow"] = flow_json(m);
   out["critical_diameter_m"] = number_or_null(m.critical.value);
-  out["critical_diameter"] = {{"error_m", m.critical.error},
-                              {"blocked", m.critical.blocked},
-                              {"bottleneck_m", m.critical.blocked
-                                                   ? Json(nullptr)
-                                                   : vector_json(m.critical.bottleneck)}};
+  out["critical_diameter"] = {
+      {"error_m", m.critical.error},
+      {"blocked", m.critical.blocked},
+      {"bottleneck_m",
+       m.critical.blocked ? Json(nullptr) : vector_json(m.critical.bottleneck)}};
   out["spheres"] = Json::array();
   for (const Wrench& w : m.forces.spheres) {
     out["spheres"].push_back(wrench_json(w));
@@ -87,11 +89,11 @@ std::string summary(const Measurement& m) {
       "superficial velocity ({:.4g}, {:.4g}, {:.4g}) m/s\n"
       "permeability         {:.6g} m^2\n"
       "critical diameter    {:.9g} m +- {:.1g} m\n",
-      m.cells[0], m.cells[1], m.cells[2], std::cbrt(m.spacing.x * m.spacing.y * m.spacing.z),
-      m.statistics.iterations, m.statistics.relative_residual, m.statistics.work_units,
-      m.statistics.seconds, m.pressure_drop, m.flow_rate, m.superficial_velocity.x,
-      m.superficial_velocity.y, m.superficial_velocity.z, m.permeability, m.critical.value,
-      m.critical.error);
+      m.cells[0], m.cells[1], m.cells[2],
+      std::cbrt(m.spacing.x * m.spacing.y * m.spacing.z), m.statistics.iterations,
+      m.statistics.relative_residual, m.statistics.work_units, m.statistics.seconds,
+      m.pressure_drop, m.flow_rate, m.superficial_velocity.x, m.superficial_velocity.y,
+      m.superficial_velocity.z, m.permeability, m.critical.value, m.critical.error);
   if (m.statistics.subgrid_openings > 0) {
     out += fmt::format("sub-grid throats     {} faces opened by their conductance\n",
                        m.statistics.subgrid_openings);
@@ -103,7 +105,8 @@ class Measure : public Command {
  public:
   void declare_options(CLI::App& app) override {
     app.add_option("scene", scene_, "Scene file (JSON)")->required();
-    app.add_option("--deposit", deposit_, "Retained colloids: CSV x_m,y_m,z_m,diameter_m");
+    app.add_option("--deposit", deposit_,
+                   "Retained colloids: CSV x_m,y_m,z_m,diameter_m");
     auto* grid = app.add_option_group("grid", "At most one:");
     grid->add_option("--cells-per-colloid", choice_.cells_per_colloid,
                      "Cells per colloid diameter")
@@ -172,6 +175,8 @@ class Measure : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_measure() { return std::make_unique<Measure>(); }
+std::unique_ptr<Command> make_measure() {
+  return std::make_unique<Measure>();
+}
 
 }  // namespace colloid

@@ -1,11 +1,10 @@
 #include "tiers/flow_problem.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "core/error.h"
 
@@ -16,8 +15,8 @@ namespace {
 constexpr double kDefaultPerDiameter = 24.0;
 constexpr double kDefaultAlongEdge = 48.0;
 
-// Bytes a cell needs: coefficients and coarse levels 150, five vectors in double precision,
-// ten Krylov iterations of 32 each (measured: 700).
+// Bytes a cell needs: coefficients and coarse levels 150, five vectors in double
+// precision, ten Krylov iterations of 32 each (measured: 700).
 constexpr double kBytesPerCell = 750.0;
 
 double physical_memory() {
@@ -41,8 +40,9 @@ double wanted_spacing(const Scene& scene, const GridChoice& choice) {
     return smallest_diameter(spheres) / *choice.cells_per_diameter;
   }
   if (choice.cells_per_colloid) {
-    require(scene.colloids.has_value(), "--cells-per-colloid",
-            "the scene has no colloids; expected --cells-per-diameter N or --cells NX NY NZ");
+    require(
+        scene.colloids.has_value(), "--cells-per-colloid",
+        "the scene has no colloids; expected --cells-per-diameter N or --cells NX NY NZ");
     return scene.colloids->diameter / *choice.cells_per_colloid;
   }
   if (scene.colloids) {
@@ -92,11 +92,13 @@ std::array<int, 3> choose_cells(const Scene& scene, const GridChoice& choice) {
       cells[static_cast<std::size_t>(a)] = static_cast<int>(std::min(n, 1e6));
     }
   }
-  require(total * kBytesPerCell < physical_memory() && total < 1e9, "grid",
-          fmt::format("{:.3g} cells need about {:.3g} GiB, this machine has {:.3g}; expected a "
-                      "coarser grid (--cells-per-colloid, --cells-per-diameter, --cells)",
-                      total, total * kBytesPerCell / std::pow(2.0, 30),
-                      physical_memory() / std::pow(2.0, 30)));
+  require(
+      total * kBytesPerCell < physical_memory() && total < 1e9, "grid",
+      fmt::format(
+          "{:.3g} cells need about {:.3g} GiB of memory, this machine has {:.3g}; "
+          "expected a coarser grid (--cells-per-colloid, --cells-per-diameter, --cells)",
+          total, total * kBytesPerCell / std::pow(2.0, 30),
+          physical_memory() / std::pow(2.0, 30)));
   return cells;
 }
 

@@ -53,15 +53,17 @@ PairRegime analyse(const SurfacePair& pair, const FlowScales& scales, double vis
   PairRegime regime;
   regime.analysis = analyse_pair(forces);
   const auto gap_at = [&](double speed) {
-    return speed > 0.0
-               ? van_der_waals_capture_gap(forces, stokes_drag(viscosity, pair.radius, speed))
-               : 0.0;
+    return speed > 0.0 ? van_der_waals_capture_gap(
+                             forces, stokes_drag(viscosity, pair.radius, speed))
+                       : (pair.hamaker > 0.0 ? HUGE_VAL : 0.0);
   };
   regime.capture_gap = gap_at(scales.inlet_speed);
   regime.capture_gap_throat = gap_at(scales.throat_speed);
   if (scales.inlet_speed > 0.0) {
-    regime.range =
-        interaction_range(forces, stokes_drag(viscosity, pair.radius, scales.inlet_speed));
+    regime.range = interaction_range(
+        forces, stokes_drag(viscosity, pair.radius, scales.inlet_speed));
+  } else if (pair.hamaker > 0.0 || pair.zeta != 0.0 || pair.other_zeta != 0.0) {
+    regime.range = HUGE_VAL;
   }
   return regime;
 }
@@ -92,8 +94,8 @@ double narrowest_open_area(const Box& box, const std::vector<Sphere>& spheres, i
             const double step2 = box.size[t2] / kPoints;
             const int first =
                 std::max(0, static_cast<int>((c1 - std::sqrt(disc)) / step1 - 1.0));
-            const int last =
-                std::min(kPoints - 1, static_cast<int>((c1 + std::sqrt(disc)) / step1 + 1.0));
+            const int last = std::min(
+                kPoints - 1, static_cast<int>((c1 + std::sqrt(disc)) / step1 + 1.0));
             for (int i = first; i <= last; ++i) {
               const double d1 = (i + 0.5) * step1 - c1;
               const double half = disc - d1 * d1;
@@ -103,10 +105,11 @@ double narrowest_open_area(const Box& box, const std::vector<Sphere>& spheres, i
               const double w = std::sqrt(half);
               const int from =
                   std::max(0, static_cast<int>(std::ceil((c2 - w) / step2 - 0.5)));
-              const int to =
-                  std::min(kPoints - 1, static_cast<int>(std::floor((c2 + w) / step2 - 0.5)));
+              const int to = std::min(
+                  kPoints - 1, static_cast<int>(std::floor((c2 + w) / step2 - 0.5)));
               for (int j = from; j <= to; ++j) {
-                solid[static_cast<std::size_t>(i) * kPoints + static_cast<std::size_t>(j)] = 1;
+                solid[static_cast<std::size_t>(i) * kPoints +
+                      static_cast<std::size_t>(j)] = 1;
               }
             }
           }
@@ -126,7 +129,10 @@ Regime analyse_regime(const Scene& scene, const FlowScales& scales) {
   regime.scales = scales;
   regime.reynolds_throat = throat_reynolds(fluid.density, scales.throat_speed,
                                            scales.throat_diameter, fluid.viscosity);
+  RegimeNumbers numbers;
+  numbers.reynolds_throat = regime.reynolds_throat;
   if (!scene.colloids) {
+    regime.inertia = decide_models(numbers).inertia;
     return regime;
   }
   const Colloids& colloids = *scene.colloids;
@@ -139,25 +145,25 @@ Regime analyse_regime(const Scene& scene, const FlowScales& scales) {
       stokes_number(colloids.density, a, scales.largest_speed, fluid.viscosity);
   c.peclet = peclet_number(scales.inlet_speed, a,
                            diffusivity(fluid.temperature, fluid.viscosity, a));
-  c.settling_speed = settling_speed(colloids.density, fluid.density, norm(scene.gravity), a,
-                                    fluid.viscosity);
+  c.settling_speed = settling_speed(colloids.density, fluid.density, norm(scene.gravity),
+                                    a, fluid.viscosity);
   c.gravity_number = scales.inlet_speed > 0.0
                          ? gravity_number(c.settling_speed, scales.inlet_speed)
-                         : std::abs(c.settling_speed) > 0.0 ? HUGE_VAL : 0.0;
+                     : std::abs(c.settling_speed) > 0.0 ? HUGE_VAL
+                                                        : 0.0;
   c.relaxation_time = relaxation_time(colloids.density, a, fluid.viscosity);
   const SurfacePair grain = colloid_grain(scene);
   c.debye_length = debye_length(grain.electrolyte);
   c.colloid_grain = analyse(grain, scales, fluid.viscosity);
   c.colloid_colloid = analyse(colloid_colloid(scene), scales, fluid.viscosity);
 
-  RegimeNumbers numbers;
-  numbers.reynolds_throat = regime.reynolds_throat;
   numbers.stokes = c.stokes_largest;
   numbers.peclet = c.peclet;
   numbers.gravity = c.gravity_number;
   numbers.dlvo_range_over_radius = c.colloid_grain.range / a;
   numbers.grain_barrier_kT = c.colloid_grain.analysis.barrier_from_secondary_kT;
   c.models = decide_models(numbers);
+  regime.inertia = c.models.inertia;
   regime.colloids = c;
   return regime;
 }
