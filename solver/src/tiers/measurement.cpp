@@ -78,6 +78,23 @@ void refuse_blocked(const StokesProblem& problem, const CriticalDiameter& critic
   }
 }
 
+// Without a wall or a sphere nothing holds the fluid: no steady flow under a force, and
+// no force to hold a mean velocity.
+void refuse_unresisted(const StokesProblem& problem) {
+  const auto& faces = problem.box.faces;
+  if (!problem.spheres.empty() ||
+      std::find(faces.begin(), faces.end(), FaceCondition::wall) != faces.end()) {
+    return;
+  }
+  const auto refuse = [&](FlowDrive::Kind kind, const char* where) {
+    require(problem.drive.kind != kind, where,
+            "meets no resistance: the box has neither walls nor spheres");
+  };
+  refuse(FlowDrive::Kind::pressure_drop, "/drive/pressure_drop");
+  refuse(FlowDrive::Kind::body_force, "/drive/body_force");
+  refuse(FlowDrive::Kind::mean_velocity, "/drive/mean_velocity");
+}
+
 }  // namespace
 
 Measurement measure(const Scene& scene, const MeasureOptions& options) {
@@ -98,6 +115,7 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
   flow.threads = options.threads;
   m.critical = critical_along(problem, std::max(0, flow_axis(problem)));
   refuse_blocked(problem, m.critical);
+  refuse_unresisted(problem);
 
   StokesSolver solver(problem, flow);
   m.statistics = solver.solve();
