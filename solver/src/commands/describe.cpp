@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "commands/regime_json.h"
+#include "commands/scene_regime.h"
 #include "core/text.h"
 #include "scene/field_lister.h"
 #include "scene/read_scene.h"
@@ -88,12 +90,22 @@ class Describe : public Command {
  public:
   void declare_options(CLI::App& app) override {
     app.add_flag("--json", json_, "One JSON object instead of a table");
-    app.add_option("--scene", scene_,
-                   "Print this scene with every default spelled out, as JSON");
+    auto* what = app.add_option_group("what", "At most one:");
+    what->add_option("--scene", scene_,
+                     "Print this scene with every default spelled out, as JSON");
+    what->add_option("--regime", regime_,
+                     "Print the dimensionless numbers of this scene, and the models they "
+                     "call for");
+    what->require_option(0, 1);
   }
 
   int run() const override {
-    if (scene_) {
+    if (regime_) {
+      const Regime regime = scene_regime(*regime_);
+      const nlohmann::ordered_json document{{"schema_version", kSchemaVersion},
+                                            {"regime", regime_json(regime)}};
+      std::cout << (json_ ? document.dump(2) + "\n" : regime_table(regime));
+    } else if (scene_) {
       std::cout << to_json(read_scene(*scene_).scene).dump(2) << '\n';
     } else if (json_) {
       std::cout << scene_keys_json().dump(2) << '\n';
@@ -106,6 +118,7 @@ class Describe : public Command {
  private:
   bool json_ = false;
   std::optional<std::string> scene_;
+  std::optional<std::string> regime_;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// `poreclog-solve describe`: the keys of a scene, with units, ranges and defaults.
+// `poreclog-solve describe`: the keys of a scene, with units, ranges and defaults; the
+// regime of one scene.
 #pragma once
 
 #include <memory>

@@ -101,6 +101,19 @@ std::string summary(const Measurement& m) {
   return out;
 }
 
+/// CLI::Range lets NaN pass.
+CLI::Validator number_within(double low, double high) {
+  return {[low, high](std::string& text) {
+            double value = 0.0;
+            const bool number = CLI::detail::lexical_cast(text, value);
+            return number && value >= low && value <= high
+                       ? std::string()
+                       : fmt::format("is {}, expected a number in [{:g}, {:g}]", text,
+                                     low, high);
+          },
+          fmt::format("FLOAT in [{:g} - {:g}]", low, high)};
+}
+
 class Measure : public Command {
  public:
   void declare_options(CLI::App& app) override {
@@ -110,10 +123,10 @@ class Measure : public Command {
     auto* grid = app.add_option_group("grid", "At most one:");
     grid->add_option("--cells-per-colloid", choice_.cells_per_colloid,
                      "Cells per colloid diameter")
-        ->check(CLI::Range(0.5, 1000.0));
+        ->check(number_within(0.5, 1000.0));
     grid->add_option("--cells-per-diameter", choice_.cells_per_diameter,
                      "Cells per diameter of the smallest sphere")
-        ->check(CLI::Range(0.5, 1000.0));
+        ->check(number_within(0.5, 1000.0));
     grid->add_option("--cells", cells_, "Cells along x, y, z")
         ->expected(3)
         ->check(CLI::Range(1, 100000));

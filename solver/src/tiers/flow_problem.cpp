@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kDefaultPerDiameter = 24.0;
 constexpr double kDefaultAlongEdge = 48.0;
+constexpr double kMostAlongEdge = 1e6;
 
 // Bytes a cell needs: coefficients and coarse levels 150, five vectors in double
 // precision, ten Krylov iterations of 32 each (measured: 700).
@@ -77,27 +78,35 @@ FlowDrive make_drive(const Drive& drive) {
 }  // namespace
 
 std::array<int, 3> choose_cells(const Scene& scene, const GridChoice& choice) {
-  std::array<int, 3> cells{};
+  std::array<double, 3> wanted{};
   double total = 1.0;
-  if (choice.cells) {
-    cells = *choice.cells;
-    for (int n : cells) {
-      total *= n;
-    }
-  } else {
+  for (std::size_t a = 0; a < 3; ++a) {
+    wanted[a] = choice.cells ? (*choice.cells)[a] : 0.0;
+  }
+  if (!choice.cells) {
     const double spacing = wanted_spacing(scene, choice);
-    for (int a = 0; a < 3; ++a) {
-      const double n = std::max(1.0, std::round(scene.geometry.box.size[a] / spacing));
-      total *= n;
-      cells[static_cast<std::size_t>(a)] = static_cast<int>(std::min(n, 1e6));
+    for (std::size_t a = 0; a < 3; ++a) {
+      wanted[a] = std::max(
+          1.0, std::round(scene.geometry.box.size[static_cast<int>(a)] / spacing));
     }
   }
-  require(total * kBytesPerCell < physical_memory() && total < 1e9, "grid",
-          fmt::format(
-              "{:.3g} cells need about {:.3g} GiB, this machine has {:.3g}; expected a "
-              "coarser grid (--cells-per-colloid, --cells-per-diameter, --cells)",
-              total, total * kBytesPerCell / std::pow(2.0, 30),
-              physical_memory() / std::pow(2.0, 30)));
+  std::array<int, 3> cells{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    total *= wanted[a];
+    cells[a] = static_cast<int>(std::min(wanted[a], kMostAlongEdge));
+  }
+  require(
+      *std::max_element(wanted.begin(), wanted.end()) <= kMostAlongEdge, "grid",
+      fmt::format("has {:.3g} x {:.3g} x {:.3g} cells, at most {:g} fit along an edge; "
+                  "expected a coarser grid",
+                  wanted[0], wanted[1], wanted[2], kMostAlongEdge));
+  require(
+      total * kBytesPerCell < physical_memory() && total < 1e9, "grid",
+      fmt::format(
+          "{:.3g} cells need about {:.3g} GiB of memory, this machine has {:.3g}; "
+          "expected a coarser grid (--cells-per-colloid, --cells-per-diameter, --cells)",
+          total, total * kBytesPerCell / std::pow(2.0, 30),
+          physical_memory() / std::pow(2.0, 30)));
   return cells;
 }
 

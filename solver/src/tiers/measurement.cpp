@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "flow/interpolation.h"
@@ -11,19 +12,19 @@ namespace colloid {
 
 namespace {
 
-FlowScales flow_scales(const StokesSolver& solver, double critical_diameter) {
+FlowScales flow_scales(const StokesSolver& solver, const Measurement& m) {
   const StokesProblem& problem = solver.problem();
   FlowScales scales;
   scales.largest_speed = solver.largest_speed();
-  scales.throat_diameter = critical_diameter;
+  scales.throat_diameter = m.critical.value;
   const int axis = solver.flow_axis();
   if (axis < 0) {
     return scales;
   }
   const double area = problem.box.size[(axis + 1) % 3] * problem.box.size[(axis + 2) % 3];
-  scales.inlet_speed = std::abs(solver.flow_rate()) / area;
+  scales.inlet_speed = std::abs(m.flow_rate) / area;
   const double open = narrowest_open_area(problem.box, problem.spheres, axis);
-  scales.throat_speed = open > 0.0 ? std::abs(solver.flow_rate()) / open : 0.0;
+  scales.throat_speed = open > 0.0 ? std::abs(m.flow_rate) / open : 0.0;
   return scales;
 }
 
@@ -37,9 +38,71 @@ std::vector<ProfilePoint> sample(const StokesSolver& solver, const Line& line) {
   return points;
 }
 
+bool inside(const Box& box, const Vec3& x) {
+  for (int a = 0; a < 3; ++a) {
+    if (!(x[a] >= 0.0 && x[a] <= box.size[a])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+CriticalDiameter critical_along(const StokesProblem& problem, int axis) {
+  CriticalDiameterOptions search;
+  search.flow_axis = axis;
+  return critical_diameter(problem.box, problem.spheres, search);
+}
+
+// A flux that is to be held needs a way; `critical` is that along the flow's axis.
+void refuse_blocked(const StokesProblem& problem, const CriticalDiameter& critical) {
+  const FlowDrive& drive = problem.drive;
+  require(
+      !critical.blocked || drive.kind != FlowDrive::Kind::inlet_velocity,
+      "/drive/inlet_velocity",
+      "the way from the inlet to the outlet is blocked (critical diameter 0), no flux "
+      "can be held; expected a pressure_drop");
+  if (drive.kind != FlowDrive::Kind::mean_velocity) {
+    return;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (drive.mean_velocity[axis] == 0.0) {
+      continue;
+    }
+    const bool blocked = axis == flow_axis(problem)
+                             ? critical.blocked
+                             : critical_along(problem, axis).blocked;
+    require(!blocked, "/drive/mean_velocity",
+            fmt::format("the way along {} is blocked (critical diameter 0), no flux can "
+                        "be held; expected a body_force",
+                        "xyz"[axis]));
+  }
+}
+
+// Without a wall or a sphere nothing holds the fluid: no steady flow under a force, and
+// no force to hold a mean velocity.
+void refuse_unresisted(const StokesProblem& problem) {
+  const auto& faces = problem.box.faces;
+  if (!problem.spheres.empty() ||
+      std::find(faces.begin(), faces.end(), FaceCondition::wall) != faces.end()) {
+    return;
+  }
+  const auto refuse = [&](FlowDrive::Kind kind, const char* where) {
+    require(problem.drive.kind != kind, where,
+            "meets no resistance: the box has neither walls nor spheres");
+  };
+  refuse(FlowDrive::Kind::pressure_drop, "/drive/pressure_drop");
+  refuse(FlowDrive::Kind::body_force, "/drive/body_force");
+  refuse(FlowDrive::Kind::mean_velocity, "/drive/mean_velocity");
+}
+
 }  // namespace
 
 Measurement measure(const Scene& scene, const MeasureOptions& options) {
+  if (options.line) {
+    require(inside(scene.geometry.box, options.line->begin) &&
+                inside(scene.geometry.box, options.line->end),
+            "--profile", "leaves the box; expected both ends in it");
+  }
   Measurement m;
   m.cells = choose_cells(scene, options.grid);
   const StokesProblem problem = make_flow_problem(scene, options.deposit, m.cells);
@@ -50,24 +113,24 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
   StokesOptions flow;
   flow.tolerance = scene.fidelity.tolerance;
   flow.threads = options.threads;
-  CriticalDiameterOptions search;
-  search.flow_axis = std::max(0, flow_axis(problem));
-  m.critical = critical_diameter(problem.box, problem.spheres, search);
-  require(
-      !m.critical.blocked || problem.drive.kind != FlowDrive::Kind::inlet_velocity,
-      "/drive/inlet_velocity",
-      "the way from the inlet to the outlet is blocked (critical diameter 0), no flux "
-      "can be held; expected a pressure_drop");
+  m.critical = critical_along(problem, std::max(0, flow_axis(problem)));
+  refuse_blocked(problem, m.critical);
+  refuse_unresisted(problem);
 
   StokesSolver solver(problem, flow);
   m.statistics = solver.solve();
   m.pressure_drop = solver.pressure_drop();
-  m.flow_rate = solver.flow_rate();
   m.superficial_velocity = solver.superficial_velocity();
+  m.flow_rate = solver.flow_rate();
   m.permeability = solver.permeability();
+  if (m.critical.blocked && solver.flow_axis() >= 0) {
+    // What the solver finds is its residual; superficial_velocity still shows it.
+    m.flow_rate = 0.0;
+    m.permeability = m.pressure_drop != 0.0 ? 0.0 : m.permeability;
+  }
   m.body_force = solver.body_force();
   m.forces = wall_forces(solver);
-  m.regime = analyse_regime(scene, flow_scales(solver, m.critical.value));
+  m.regime = analyse_regime(scene, flow_scales(solver, m));
   if (options.line) {
     m.profile = sample(solver, *options.line);
   }

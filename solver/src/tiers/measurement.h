@@ -47,8 +47,9 @@ struct Measurement {
   std::vector<ProfilePoint> profile;
 };
 
-/// Refuses a blocked throat whose drive holds a flux; throws ConvergenceError if the flow
-/// does not converge.
+/// Refuses a blocked throat whose drive holds a flux (blocked under another drive: flow
+/// rate and permeability are 0) and a line that leaves the box; throws ConvergenceError
+/// if the flow does not converge.
 Measurement measure(const Scene& scene, const MeasureOptions& options);
 
 }  // namespace colloid

@@ -55,13 +55,15 @@ PairRegime analyse(const SurfacePair& pair, const FlowScales& scales, double vis
   const auto gap_at = [&](double speed) {
     return speed > 0.0 ? van_der_waals_capture_gap(
                              forces, stokes_drag(viscosity, pair.radius, speed))
-                       : 0.0;
+                       : (pair.hamaker > 0.0 ? HUGE_VAL : 0.0);
   };
   regime.capture_gap = gap_at(scales.inlet_speed);
   regime.capture_gap_throat = gap_at(scales.throat_speed);
   if (scales.inlet_speed > 0.0) {
     regime.range = interaction_range(
         forces, stokes_drag(viscosity, pair.radius, scales.inlet_speed));
+  } else if (pair.hamaker > 0.0 || pair.zeta != 0.0 || pair.other_zeta != 0.0) {
+    regime.range = HUGE_VAL;
   }
   return regime;
 }
@@ -127,7 +129,10 @@ Regime analyse_regime(const Scene& scene, const FlowScales& scales) {
   regime.scales = scales;
   regime.reynolds_throat = throat_reynolds(fluid.density, scales.throat_speed,
                                            scales.throat_diameter, fluid.viscosity);
+  RegimeNumbers numbers;
+  numbers.reynolds_throat = regime.reynolds_throat;
   if (!scene.colloids) {
+    regime.inertia = decide_models(numbers).inertia;
     return regime;
   }
   const Colloids& colloids = *scene.colloids;
@@ -152,14 +157,13 @@ Regime analyse_regime(const Scene& scene, const FlowScales& scales) {
   c.colloid_grain = analyse(grain, scales, fluid.viscosity);
   c.colloid_colloid = analyse(colloid_colloid(scene), scales, fluid.viscosity);
 
-  RegimeNumbers numbers;
-  numbers.reynolds_throat = regime.reynolds_throat;
   numbers.stokes = c.stokes_largest;
   numbers.peclet = c.peclet;
   numbers.gravity = c.gravity_number;
   numbers.dlvo_range_over_radius = c.colloid_grain.range / a;
   numbers.grain_barrier_kT = c.colloid_grain.analysis.barrier_from_secondary_kT;
   c.models = decide_models(numbers);
+  regime.inertia = c.models.inertia;
   regime.colloids = c;
   return regime;
 }

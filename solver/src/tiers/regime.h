@@ -24,6 +24,7 @@ double narrowest_open_area(const Box& box, const std::vector<Sphere>& spheres, i
 /// What surface forces make of one pair type.
 struct PairRegime {
   PairAnalysis analysis;
+  // Infinite without flow: nothing then opposes the attraction.
   double capture_gap = 0.0;         ///< at the inlet's speed [m]
   double capture_gap_throat = 0.0;  ///< at the mean speed in the throat [m]
   double range = 0.0;  ///< of the interaction, at the inlet's Stokes drag [m]
@@ -47,6 +48,7 @@ struct ColloidRegime {
 struct Regime {
   FlowScales scales;
   double reynolds_throat = 0.0;
+  ModelDecision inertia;  ///< also a question of the flow alone
   std::optional<ColloidRegime> colloids;
 };
 

@@ -1,0 +1,14 @@
+#include "commands/scene_regime.h"
+
+#include "scene/read_scene.h"
+#include "tiers/measurement.h"
+
+namespace colloid {
+
+Regime scene_regime(const std::string& path) {
+  const SceneFile file = read_scene(path);
+  refuse_bodies(file);
+  return measure(file.scene, {}).regime;
+}
+
+}  // namespace colloid
