@@ -217,6 +217,8 @@ TEST(Extremes, OfBoxesWithoutResistanceAreRefused) {
   scene["drive"] = {{"inlet_velocity", "1 mm/s"}};
   const json plug_flow = survived(measure(scene, {}, grid));
   EXPECT_NEAR(number(plug_flow, "/regime/largest_speed_m_s"), 1e-3, 1e-8);
+  EXPECT_TRUE(plug_flow["flow"]["permeability_m2"].is_null());
+  EXPECT_EQ(number(plug_flow, "/flow/pressure_drop_Pa"), 0.0);
   scene["drive"] = {{"pressure_drop", "1 Pa"}};
   EXPECT_GT(number(survived(measure(scene, {{25e-6, 25e-6, 25e-6, 10e-6}}, grid)),
                    "/flow/permeability_m2"),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -78,12 +79,16 @@ void refuse_blocked(const StokesProblem& problem, const CriticalDiameter& critic
   }
 }
 
+bool has_resistance(const StokesProblem& problem) {
+  const auto& faces = problem.box.faces;
+  return !problem.spheres.empty() ||
+         std::find(faces.begin(), faces.end(), FaceCondition::wall) != faces.end();
+}
+
 // Without a wall or a sphere nothing holds the fluid: no steady flow under a force, and
 // no force to hold a mean velocity.
 void refuse_unresisted(const StokesProblem& problem) {
-  const auto& faces = problem.box.faces;
-  if (!problem.spheres.empty() ||
-      std::find(faces.begin(), faces.end(), FaceCondition::wall) != faces.end()) {
+  if (has_resistance(problem)) {
     return;
   }
   const auto refuse = [&](FlowDrive::Kind kind, const char* where) {
@@ -129,6 +134,10 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
     m.permeability = m.pressure_drop != 0.0 ? 0.0 : m.permeability;
   }
   m.body_force = solver.body_force();
+  if (!has_resistance(problem)) {  // plug flow: the drop is 0, k unbounded
+    m.pressure_drop = 0.0;
+    m.permeability = std::numeric_limits<double>::infinity();
+  }
   m.forces = wall_forces(solver);
   m.regime = analyse_regime(scene, flow_scales(solver, m));
   if (options.line) {

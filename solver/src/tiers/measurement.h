@@ -39,7 +39,7 @@ struct Measurement {
   double pressure_drop = 0.0;  ///< [Pa]
   double flow_rate = 0.0;      ///< [m^3/s]
   Vec3 superficial_velocity;   ///< [m/s]
-  double permeability = 0.0;   ///< [m^2]; not a number without a drive along an axis
+  double permeability = 0.0;   ///< [m^2]; not finite without drive or resistance
   Vec3 body_force;             ///< acting [N/m^3]
   WallForces forces;           ///< grains first, then the deposit
   CriticalDiameter critical;
