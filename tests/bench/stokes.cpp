@@ -58,8 +58,8 @@ StokesProblem throat_with(int across, int colloids) {
 
 /// Values in [-1, 1) where a row or cell has an unknown, zero elsewhere.
 template <class Real>
-Fields<Real> random_fields(const WallRows& rows) {
-  Fields<Real> fields(rows.grid().size);
+StokesVector<Real> random_fields(const WallRows& rows) {
+  StokesVector<Real> fields(rows.grid().size);
   std::mt19937_64 generator(1);
   for (std::size_t c = 0; c < 4; ++c) {
     const auto& open =
@@ -91,7 +91,7 @@ class Reference {
 
  private:
   const WallRows& rows_;
-  Fields<double> x_, b_, r_;
+  StokesVector<double> x_, b_, r_;
 };
 
 /// Sums over a benchmark's iterations, and the counters made of them.
@@ -131,9 +131,9 @@ void evaluate_residual(benchmark::State& state) {
   const StokesSolver solver(problem_of(state), StokesOptions{});
   const WallRows& rows = solver.rows();
   const LevelView level = view(rows);
-  Fields<Real> u = random_fields<Real>(rows);
-  const Fields<Real> f = u;
-  Fields<Real> r(rows.grid().size);
+  StokesVector<Real> u = random_fields<Real>(rows);
+  const StokesVector<Real> f = u;
+  StokesVector<Real> r(rows.grid().size);
   time_kernel(state, solver, [&] {
     for (int c = 0; c < 4; ++c) {
       fill_halo(rows.grid(), u[c]);
@@ -153,8 +153,8 @@ Multigrid make_multigrid(const StokesSolver& solver) {
 void smooth_once(benchmark::State& state) {
   const StokesSolver solver(problem_of(state), StokesOptions{});
   Multigrid multigrid = make_multigrid(solver);
-  const Fields<float> f = random_fields<float>(solver.rows());
-  Fields<float> u(solver.rows().grid().size);
+  const StokesVector<float> f = random_fields<float>(solver.rows());
+  StokesVector<float> u(solver.rows().grid().size);
   int sweep = 0;
   time_kernel(state, solver, [&] { multigrid.smooth(u, f, false, sweep++); });
 }
@@ -162,8 +162,8 @@ void smooth_once(benchmark::State& state) {
 void cycle_once(benchmark::State& state) {
   const StokesSolver solver(problem_of(state), StokesOptions{});
   Multigrid multigrid = make_multigrid(solver);
-  const Fields<float> r = random_fields<float>(solver.rows());
-  Fields<float> z(solver.rows().grid().size);
+  const StokesVector<float> r = random_fields<float>(solver.rows());
+  StokesVector<float> z(solver.rows().grid().size);
   time_kernel(state, solver, [&] { multigrid.apply(r, z); });
 }
 

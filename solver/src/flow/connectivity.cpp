@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/constants.h"
@@ -16,7 +17,7 @@ constexpr int kRefinements = 40;  // halvings of the pattern search around the b
 struct ClosedFace {
   double clearance;
   int component;
-  std::size_t face, below, above;
+  std::size_t face;
 };
 
 // Calls visit(component, face, cell below, cell above) for every face between two cells.
@@ -121,13 +122,27 @@ double face_clearance(const std::vector<Sphere>& spheres, const Grid& grid, int 
 
 }  // namespace
 
-Connectivity::Connectivity(const WallRows& rows) : parent_(rows.grid().size) {
+Connectivity::Connectivity(const WallRows& rows, bool across)
+    : parent_(rows.grid().size) {
   std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  for_inner_faces(rows.grid(), [&](int c, const std::array<int, 3>&, std::size_t face,
+  for_inner_faces(rows.grid(), [&](int c, const std::array<int, 3>& at, std::size_t face,
                                    std::size_t below) {
-    if (rows.coefficients().row_scale[static_cast<std::size_t>(c)][face] > 0.0F) {
+    const auto s = static_cast<std::size_t>(c);
+    if ((across || at[s] > 0) && rows.coefficients().row_scale[s][face] > 0.0F) {
       join(face, below);
     }
+  });
+}
+
+bool Connectivity::joined(const std::vector<std::size_t>& from,
+                          const std::vector<std::size_t>& to) {
+  std::vector<std::size_t> labels;
+  for (std::size_t cell : to) {
+    labels.push_back(label(cell));
+  }
+  std::sort(labels.begin(), labels.end());
+  return std::any_of(from.begin(), from.end(), [&](std::size_t cell) {
+    return std::binary_search(labels.begin(), labels.end(), label(cell));
   });
 }
 
@@ -145,62 +160,90 @@ void Connectivity::join(std::size_t a, std::size_t b) {
   parent_[std::max(ra, rb)] = std::min(ra, rb);
 }
 
-int open_subgrid_throats(WallRows& rows, const std::vector<Sphere>& spheres,
-                         const std::vector<std::size_t>& from,
-                         const std::vector<std::size_t>& to) {
-  Connectivity regions(rows);
-  const auto joined = [&] {
-    for (std::size_t a : from) {
-      for (std::size_t b : to) {
-        if (regions.label(a) == regions.label(b)) {
+bool winds_around(const WallRows& rows, int axis) {
+  const Grid& grid = rows.grid();
+  const auto seam = static_cast<std::size_t>(axis);
+  // Breadth first; two ways to a cell that differ in periods make a loop around the box.
+  constexpr int kUnseen = std::numeric_limits<int>::min();
+  std::vector<int> periods(grid.size, kUnseen);
+  std::vector<std::array<int, 3>> queue;
+  bool winds = false;
+  const auto visit = [&](const std::array<int, 3>& from, std::size_t a, int step) {
+    std::array<int, 3> to = from;
+    to[a] += step;
+    // The face between both is the lower one of the upper cell.
+    const std::array<int, 3> upper = step > 0 ? to : from;
+    if (!grid.periodic[a] && (upper[a] == 0 || upper[a] == grid.cells[a])) {
+      return;
+    }
+    const int n = grid.cells[a];
+    std::array<int, 3> face = upper;
+    face[a] = (face[a] + n) % n;
+    if (rows.coefficients().row_scale[a][grid.index(face[0], face[1], face[2])] <= 0.0F) {
+      return;
+    }
+    int there = periods[grid.index(from[0], from[1], from[2])];
+    if (a == seam) {
+      there += to[a] >= n ? 1 : (to[a] < 0 ? -1 : 0);
+    }
+    to[a] = (to[a] + n) % n;
+    int& known = periods[grid.index(to[0], to[1], to[2])];
+    if (known == kUnseen) {
+      known = there;
+      queue.push_back(to);
+    } else if (known != there) {
+      winds = true;
+    }
+  };
+  for (int k = 0; k < grid.cells[2]; ++k) {
+    for (int j = 0; j < grid.cells[1]; ++j) {
+      for (int i = 0; i < grid.cells[0]; ++i) {
+        if (periods[grid.index(i, j, k)] != kUnseen) {
+          continue;
+        }
+        periods[grid.index(i, j, k)] = 0;
+        queue.assign(1, {i, j, k});
+        for (std::size_t next = 0; next < queue.size() && !winds; ++next) {
+          for (std::size_t a = 0; a < 3; ++a) {
+            visit(std::array<int, 3>(queue[next]), a, -1);
+            visit(std::array<int, 3>(queue[next]), a, 1);
+          }
+        }
+        if (winds) {
           return true;
         }
       }
     }
-    return false;
-  };
-  if (joined()) {
-    return 0;
   }
+  return false;
+}
 
-  // 1  the closed faces that are open in truth
+int open_subgrid_throats(WallRows& rows, const std::vector<Sphere>& spheres) {
   const Grid& grid = rows.grid();
+  Connectivity regions(rows, false);
   std::vector<ClosedFace> faces;
   for_inner_faces(grid, [&](int c, const std::array<int, 3>& at, std::size_t face,
                             std::size_t below) {
-    if (rows.coefficients().row_scale[static_cast<std::size_t>(c)][face] > 0.0F ||
-        rows.nearest(c, at[0], at[1], at[2]).distance < -1.0 * grid.width[0].front()) {
+    const auto s = static_cast<std::size_t>(c);
+    const bool on_seam = at[s] == 0;
+    if (rows.coefficients().row_scale[s][face] > 0.0F ||
+        (!on_seam && regions.label(face) == regions.label(below)) ||
+        rows.nearest(c, at[0], at[1], at[2]).distance < -grid.width[0].front()) {
       return;
     }
     const double clearance = face_clearance(spheres, grid, c, at);
     if (clearance > 0.0) {
-      faces.push_back({clearance, c, face, below, face});
+      faces.push_back({clearance, c, face});
     }
   });
-  std::sort(faces.begin(), faces.end(), [](const ClosedFace& a, const ClosedFace& b) {
-    return a.clearance != b.clearance
-               ? a.clearance > b.clearance
-               : (a.component != b.component ? a.component < b.component
-                                             : a.face < b.face);
-  });
-
-  // 2  the widest first, until the way is open
-  int opened = 0;
   for (const ClosedFace& f : faces) {
-    if (regions.label(f.below) == regions.label(f.above)) {
-      continue;
-    }
-    regions.join(f.below, f.above);
     const auto c = static_cast<std::size_t>(f.component);
     const double area = grid.width[(c + 1) % 3].front() * grid.width[(c + 2) % 3].front();
     rows.open_subgrid(f.component, f.face,
                       kDuctConductance * std::pow(f.clearance, 4) / area);
-    ++opened;
-    if (joined()) {
-      return opened;
-    }
   }
-  return -1;
+  rows.update_cells();
+  return static_cast<int>(faces.size());
 }
 
 }  // namespace colloid

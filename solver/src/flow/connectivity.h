@@ -24,19 +24,23 @@ constexpr double kDuctConductance = 0.5623;
 /// own.
 class Connectivity {
  public:
-  explicit Connectivity(const WallRows& rows);
+  /// `across` tells whether faces on the seam of a periodic axis join cells too.
+  Connectivity(const WallRows& rows, bool across);
 
   std::size_t label(std::size_t cell);
   void join(std::size_t a, std::size_t b);
+  /// Is a cell of one list joined to one of the other?
+  bool joined(const std::vector<std::size_t>& from, const std::vector<std::size_t>& to);
 
  private:
   std::vector<std::size_t> parent_;
 };
 
-/// Opens sub-grid throats until a cell of `from` is joined to one of `to` (indices of
-/// cells, grid units); returns how many faces were opened, -1 if there is no way.
-int open_subgrid_throats(WallRows& rows, const std::vector<Sphere>& spheres,
-                         const std::vector<std::size_t>& from,
-                         const std::vector<std::size_t>& to);
+/// Can one go around the period of `axis` through open faces?
+bool winds_around(const WallRows& rows, int axis);
+
+/// Opens every closed face with a clearance that joins separate regions of the grid, or
+/// lies on the seam of a periodic axis.  Returns how many.
+int open_subgrid_throats(WallRows& rows, const std::vector<Sphere>& spheres);
 
 }  // namespace colloid

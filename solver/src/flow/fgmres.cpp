@@ -52,7 +52,7 @@ class Rotations {
 };
 
 template <class Real>
-void fill_halos(const Grid& grid, Fields<Real>& x) {
+void fill_halos(const Grid& grid, StokesVector<Real>& x) {
   for (int c = 0; c < 4; ++c) {
     fill_halo(grid, x[c]);
   }
@@ -60,13 +60,13 @@ void fill_halos(const Grid& grid, Fields<Real>& x) {
 
 }  // namespace
 
-void true_residual(const WallRows& rows, const LevelView& level, Fields<double>& x,
-                   const Fields<double>& b, Fields<double>& r, int threads) {
+void true_residual(const WallRows& rows, const LevelView& level, StokesVector<double>& x,
+                   const StokesVector<double>& b, StokesVector<double>& r, int threads) {
   fill_halos(rows.grid(), x);
   for_planes(level.end[2], threads, [&](int k) { residual_plane(level, x, b, r, k); });
 }
 
-double norm(const LevelView& level, const Fields<double>& r, int threads) {
+double norm(const LevelView& level, const StokesVector<double>& r, int threads) {
   return std::sqrt(sum_planes(level.end[2], threads,
                               [&](int k) { return dot_plane(level, r, r, k); }));
 }
@@ -113,7 +113,7 @@ std::vector<double> Fgmres::extend(std::size_t j, double length,
   return column;
 }
 
-KrylovStatistics Fgmres::solve(const Fields<double>& b, Fields<double>& x,
+KrylovStatistics Fgmres::solve(const StokesVector<double>& b, StokesVector<double>& x,
                                const Preconditioner& precondition,
                                const KrylovOptions& options) {
   const LevelView level = view(rows_);

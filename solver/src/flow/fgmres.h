@@ -27,12 +27,13 @@ struct KrylovStatistics {
 class Fgmres {
  public:
   /// Sets z to about M^-1 r; halos of r are filled.
-  using Preconditioner = std::function<void(const Fields<float>& r, Fields<float>& z)>;
+  using Preconditioner =
+      std::function<void(const StokesVector<float>& r, StokesVector<float>& z)>;
 
   explicit Fgmres(const WallRows& rows) : rows_(rows), w_(rows.grid().size) {}
 
   /// Improves x, a solution of M x = b, until |b - M x| <= target.
-  KrylovStatistics solve(const Fields<double>& b, Fields<double>& x,
+  KrylovStatistics solve(const StokesVector<double>& b, StokesVector<double>& x,
                          const Preconditioner& precondition,
                          const KrylovOptions& options);
 
@@ -41,16 +42,16 @@ class Fgmres {
                              const Preconditioner& precondition, int threads);
 
   const WallRows& rows_;
-  Fields<double> w_;
-  std::vector<Fields<float>> basis_;
-  std::vector<Fields<float>> directions_;
+  StokesVector<double> w_;
+  std::vector<StokesVector<float>> basis_;
+  std::vector<StokesVector<float>> directions_;
 };
 
 /// r = b - M x; halos of x are filled.
-void true_residual(const WallRows& rows, const LevelView& level, Fields<double>& x,
-                   const Fields<double>& b, Fields<double>& r, int threads);
+void true_residual(const WallRows& rows, const LevelView& level, StokesVector<double>& x,
+                   const StokesVector<double>& b, StokesVector<double>& r, int threads);
 
 /// 2-norm over the unknowns.
-double norm(const LevelView& level, const Fields<double>& r, int threads);
+double norm(const LevelView& level, const StokesVector<double>& r, int threads);
 
 }  // namespace colloid

@@ -54,8 +54,13 @@ Grid coarsen(const Grid& fine, const std::array<bool, 3>& along) {
       coarse.width[a] = w;
       continue;
     }
-    for (std::size_t i = 0; i < w.size(); i += 2) {
-      coarse.width[a].push_back(i + 1 < w.size() ? w[i] + w[i + 1] : w[i]);
+    for (std::size_t i = 0; i + 1 < w.size(); i += 2) {
+      coarse.width[a].push_back(w[i] + w[i + 1]);
+    }
+    if (w.size() % 4 == 1) {
+      coarse.width[a].back() += w.back();
+    } else if (w.size() % 4 == 3) {
+      coarse.width[a].push_back(w.back());
     }
   }
   lay_out(coarse);

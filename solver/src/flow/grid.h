@@ -74,7 +74,7 @@ struct Grid {
 Grid make_grid(const Vec3& extent, const std::array<int, 3>& cells,
                const std::array<bool, 3>& periodic);
 
-/// Joins cells in pairs along each axis with `along[axis]`.
+/// Joins cells in pairs along each axis with `along[axis]`, which has two cells at least.
 Grid coarsen(const Grid& fine, const std::array<bool, 3>& along);
 
 }  // namespace colloid

@@ -29,8 +29,9 @@ std::size_t row_length(const LevelView& m) {
 
 // r = f - M u, with f = 0 if there is no f.
 template <bool kHasForce, class In, class Out>
-PORECLOG_CLONES void balance_plane(const LevelView& m, const Fields<In>& u,
-                                   const Fields<Out>& f, Fields<Out>& r, int k) {
+PORECLOG_CLONES void balance_plane(const LevelView& m, const StokesVector<In>& u,
+                                   const StokesVector<Out>& f, StokesVector<Out>& r,
+                                   int k) {
   const std::ptrdiff_t sy = m.stride_y;
   const std::ptrdiff_t sz = m.stride_z;
   const std::size_t n = row_length(m);
@@ -102,17 +103,17 @@ PORECLOG_CLONES void balance_plane(const LevelView& m, const Fields<In>& u,
 }
 
 template <class In, class Out>
-void residual_plane(const LevelView& m, const Fields<In>& u, const Fields<Out>& f,
-                    Fields<Out>& r, int k) {
+void residual_plane(const LevelView& m, const StokesVector<In>& u,
+                    const StokesVector<Out>& f, StokesVector<Out>& r, int k) {
   balance_plane<true>(m, u, f, r, k);
 }
 
-void minus_apply_plane(const LevelView& m, const Fields<float>& z, Fields<double>& w,
-                       int k) {
+void minus_apply_plane(const LevelView& m, const StokesVector<float>& z,
+                       StokesVector<double>& w, int k) {
   balance_plane<false>(m, z, w, w, k);
 }
 
-PORECLOG_CLONES void schur_start_plane(const LevelView& m, const Fields<float>& r,
+PORECLOG_CLONES void schur_start_plane(const LevelView& m, const StokesVector<float>& r,
                                        float alpha, float omega, float* b, float* q,
                                        int k) {
   const std::ptrdiff_t sy = m.stride_y;
@@ -182,9 +183,9 @@ PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float 
   }
 }
 
-PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
+PORECLOG_CLONES void correct_plane(const LevelView& m, const StokesVector<float>& r,
                                    const float* q, float alpha, bool from_zero,
-                                   Fields<float>& u, int k) {
+                                   StokesVector<float>& u, int k) {
   const std::size_t n = row_length(m);
   const float factor =
       static_cast<float>(1.0 / (static_cast<double>(alpha) * m.diagonal));
@@ -221,8 +222,8 @@ PORECLOG_CLONES void correct_plane(const LevelView& m, const Fields<float>& r,
 }
 
 template <class A, class B>
-PORECLOG_CLONES double dot_plane(const LevelView& m, const Fields<A>& a,
-                                 const Fields<B>& b, int k) {
+PORECLOG_CLONES double dot_plane(const LevelView& m, const StokesVector<A>& a,
+                                 const StokesVector<B>& b, int k) {
   constexpr std::size_t kLanes = 8;
   std::array<double, kLanes> sum{};
   const std::size_t n = static_cast<std::size_t>(m.end[0]);  // no halos in sums
@@ -251,8 +252,8 @@ PORECLOG_CLONES double dot_plane(const LevelView& m, const Fields<A>& a,
 }
 
 template <class X, class Y>
-PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const Fields<X>& x,
-                                Fields<Y>& y, int k) {
+PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const StokesVector<X>& x,
+                                StokesVector<Y>& y, int k) {
   const std::size_t n = row_length(m);
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
@@ -269,8 +270,9 @@ PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const Fields<X>& x
 }
 
 template <class X, class Y>
-PORECLOG_CLONES void scaled_copy_plane(const LevelView& m, double s, const Fields<X>& x,
-                                       Fields<Y>& y, int k) {
+PORECLOG_CLONES void scaled_copy_plane(const LevelView& m, double s,
+                                       const StokesVector<X>& x, StokesVector<Y>& y,
+                                       int k) {
   const std::size_t n = row_length(m);
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
@@ -285,8 +287,8 @@ PORECLOG_CLONES void scaled_copy_plane(const LevelView& m, double s, const Field
   }
 }
 
-using F = Fields<float>;
-using D = Fields<double>;
+using F = StokesVector<float>;
+using D = StokesVector<double>;
 
 template void residual_plane(const LevelView&, const F&, const F&, F&, int);
 template void residual_plane(const LevelView&, const D&, const D&, D&, int);

@@ -12,16 +12,16 @@ namespace colloid {
 /// r = f - (d u - L u + S G p),  r_p = f_p - D u.                                   (F9)
 /// Of `u` the planes k-1 .. k+1 are read.
 template <class In, class Out>
-void residual_plane(const LevelView& m, const Fields<In>& u, const Fields<Out>& f,
-                    Fields<Out>& r, int k);
+void residual_plane(const LevelView& m, const StokesVector<In>& u,
+                    const StokesVector<Out>& f, StokesVector<Out>& r, int k);
 
 /// w = -M z on one plane: the residual for a right-hand side of zero.
-void minus_apply_plane(const LevelView& m, const Fields<float>& z, Fields<double>& w,
-                       int k);
+void minus_apply_plane(const LevelView& m, const StokesVector<float>& z,
+                       StokesVector<double>& w, int k);
 
 /// First step of the pressure of a Braess-Sarazin sweep: b = D r/d - alpha r_p, and one
 /// Jacobi step from zero, q = -omega b / diag.                                      (F12)
-void schur_start_plane(const LevelView& m, const Fields<float>& r, float alpha,
+void schur_start_plane(const LevelView& m, const StokesVector<float>& r, float alpha,
                        float omega, float* b, float* q, int k);
 
 /// A Jacobi step on D S G q / d = b.                                                (F13)
@@ -29,20 +29,22 @@ void schur_step_plane(const LevelView& m, const float* b, float omega, const flo
                       float* q_new, int k);
 
 /// u += (r - S G q) / (alpha d),  p += q; `u` is set, not added to, if `from_zero`. (F14)
-void correct_plane(const LevelView& m, const Fields<float>& r, const float* q,
-                   float alpha, bool from_zero, Fields<float>& u, int k);
+void correct_plane(const LevelView& m, const StokesVector<float>& r, const float* q,
+                   float alpha, bool from_zero, StokesVector<float>& u, int k);
 
 /// Sum of a_i b_i over one plane, accumulated in double in a fixed order.
 template <class A, class B>
-double dot_plane(const LevelView& m, const Fields<A>& a, const Fields<B>& b, int k);
+double dot_plane(const LevelView& m, const StokesVector<A>& a, const StokesVector<B>& b,
+                 int k);
 
 /// y += s x on one plane.
 template <class X, class Y>
-void axpy_plane(const LevelView& m, double s, const Fields<X>& x, Fields<Y>& y, int k);
+void axpy_plane(const LevelView& m, double s, const StokesVector<X>& x,
+                StokesVector<Y>& y, int k);
 
 /// y = s x on one plane.
 template <class X, class Y>
-void scaled_copy_plane(const LevelView& m, double s, const Fields<X>& x, Fields<Y>& y,
-                       int k);
+void scaled_copy_plane(const LevelView& m, double s, const StokesVector<X>& x,
+                       StokesVector<Y>& y, int k);
 
 }  // namespace colloid

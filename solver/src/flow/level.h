@@ -12,11 +12,11 @@ namespace colloid {
 /// One value per unknown: three face velocities and a pressure, arrays as laid out by
 /// Grid.
 template <class Real>
-struct Fields {
+struct StokesVector {
   std::array<std::vector<Real>, 4> a;
 
-  Fields() = default;
-  explicit Fields(std::size_t size) {
+  StokesVector() = default;
+  explicit StokesVector(std::size_t size) {
     for (auto& x : a) {
       x.assign(size, Real(0));
     }

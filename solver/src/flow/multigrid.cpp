@@ -17,7 +17,7 @@ constexpr int kCoarsest = 4;
 // strongly stretched cells first become cubes.
 constexpr double kStretch = 1.5;
 
-void fill_halos(const Grid& grid, Fields<float>& x) {
+void fill_halos(const Grid& grid, StokesVector<float>& x) {
   for (int c = 0; c < 4; ++c) {
     fill_halo(grid, x[c]);
   }
@@ -59,12 +59,12 @@ Multigrid::Multigrid(const WallRows& finest, const FlowFaces& faces,
   for (Level& level : levels_) {
     const std::size_t size = level.walls->grid().size;
     level.view = view(*level.walls);
-    level.r = Fields<float>(size);
+    level.r = StokesVector<float>(size);
     level.b.assign(size, 0.0F);
     level.q.assign(options_.omega.size(), std::vector<float>(size, 0.0F));
     if (level.rows) {
-      level.u = Fields<float>(size);
-      level.f = Fields<float>(size);
+      level.u = StokesVector<float>(size);
+      level.f = StokesVector<float>(size);
     }
   }
 }
@@ -77,7 +77,8 @@ void Multigrid::add(const std::vector<Sphere>& spheres) {
   }
 }
 
-void Multigrid::residual(Level& level, Fields<float>& u, const Fields<float>& f) {
+void Multigrid::residual(Level& level, StokesVector<float>& u,
+                         const StokesVector<float>& f) {
   fill_halos(level.walls->grid(), u);
   for_planes(level.view.end[2], threads_,
              [&](int k) { residual_plane(level.view, u, f, level.r, k); });
@@ -94,13 +95,13 @@ void Multigrid::residual(Level& level, Fields<float>& u, const Fields<float>& f)
 // through all of them while it is in the cache; stage s starts at plane s and ends at
 // plane s - 1, which makes the order right for a periodic axis too.  On several threads
 // each stage is finished before the next: the same operations on the same numbers.
-void Multigrid::sweep(Level& level, const Fields<float>& f, Fields<float>& u,
+void Multigrid::sweep(Level& level, const StokesVector<float>& f, StokesVector<float>& u,
                       bool from_zero, int number) {
   const Grid& grid = level.walls->grid();
   const LevelView& m = level.view;
   const int planes = m.end[2];
   const float alpha = options_.alpha[static_cast<std::size_t>(number % 2)];
-  const Fields<float>& r = from_zero ? f : level.r;
+  const StokesVector<float>& r = from_zero ? f : level.r;
   const int steps = static_cast<int>(options_.omega.size());
 
   if (!from_zero) {
@@ -145,12 +146,13 @@ void Multigrid::sweep(Level& level, const Fields<float>& f, Fields<float>& u,
   }
 }
 
-void Multigrid::smooth(Fields<float>& u, const Fields<float>& f, bool from_zero,
-                       int number) {
+void Multigrid::smooth(StokesVector<float>& u, const StokesVector<float>& f,
+                       bool from_zero, int number) {
   sweep(levels_.front(), f, u, from_zero, number);
 }
 
-void Multigrid::cycle(std::size_t index, const Fields<float>& f, Fields<float>& u) {
+void Multigrid::cycle(std::size_t index, const StokesVector<float>& f,
+                      StokesVector<float>& u) {
   Level& level = levels_[index];
   if (index + 1 == levels_.size()) {
     for (int s = 0; s < options_.coarsest_sweeps; ++s) {
@@ -179,7 +181,7 @@ void Multigrid::cycle(std::size_t index, const Fields<float>& f, Fields<float>& 
   }
 }
 
-void Multigrid::apply(const Fields<float>& r, Fields<float>& z) {
+void Multigrid::apply(const StokesVector<float>& r, StokesVector<float>& z) {
   cycle(0, r, z);
 }
 

@@ -45,7 +45,7 @@ class Multigrid {
 
   /// One V-cycle from zero: z = approximately M^-1 r.  r and z on the finest level, halos
   /// of r filled.
-  void apply(const Fields<float>& r, Fields<float>& z);
+  void apply(const StokesVector<float>& r, StokesVector<float>& z);
 
   /// A sphere was added to the finest level: do the same to the others.
   void add(const std::vector<Sphere>& spheres);
@@ -53,23 +53,24 @@ class Multigrid {
   std::size_t level_count() const { return levels_.size(); }
 
   /// One smoothing sweep on the finest level of u for the right-hand side f.
-  void smooth(Fields<float>& u, const Fields<float>& f, bool from_zero, int sweep);
+  void smooth(StokesVector<float>& u, const StokesVector<float>& f, bool from_zero,
+              int sweep);
 
  private:
   struct Level {
     std::unique_ptr<WallRows> rows;  ///< empty on the finest level
     const WallRows* walls = nullptr;
     LevelView view;
-    Fields<float> u, f, r;
+    StokesVector<float> u, f, r;
     std::vector<float> b;               ///< right-hand side of the pressure steps
     std::vector<std::vector<float>> q;  ///< pressure after each of them
     LevelTransfer transfer;             ///< to the next coarser level
   };
 
-  void sweep(Level& level, const Fields<float>& f, Fields<float>& u, bool from_zero,
-             int number);
-  void cycle(std::size_t index, const Fields<float>& f, Fields<float>& u);
-  void residual(Level& level, Fields<float>& u, const Fields<float>& f);
+  void sweep(Level& level, const StokesVector<float>& f, StokesVector<float>& u,
+             bool from_zero, int number);
+  void cycle(std::size_t index, const StokesVector<float>& f, StokesVector<float>& u);
+  void residual(Level& level, StokesVector<float>& u, const StokesVector<float>& f);
 
   CycleOptions options_;
   int threads_ = 1;

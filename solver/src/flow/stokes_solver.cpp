@@ -4,7 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <iomanip>
 #include <limits>
+#include <sstream>
+#include <string>
 
 #include <Eigen/Dense>
 
@@ -37,6 +40,12 @@ double now() {
   return std::chrono::duration<double>(
              std::chrono::steady_clock::now().time_since_epoch())
       .count();
+}
+
+std::string scientific(double value) {
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(2) << value;
+  return text.str();
 }
 
 double cpu_now() {
@@ -131,8 +140,8 @@ void StokesSolver::build() {
                                            options_.threads);
   krylov_ = std::make_unique<Fgmres>(*rows_);
   const std::size_t size = rows_->grid().size;
-  x_ = Fields<double>(size);
-  flow_ = Fields<double>(size);
+  x_ = StokesVector<double>(size);
+  flow_ = StokesVector<double>(size);
   make_lift();
   statistics_.setup_seconds = now() - start;
 }
@@ -150,7 +159,7 @@ void StokesSolver::add_spheres(const std::vector<Sphere>& spheres) {
   multigrid_->add(added);
   make_lift();
   // Velocities that the new surface closed are zero from now on.
-  const auto clear = [&](Fields<double>& x) {
+  const auto clear = [&](StokesVector<double>& x) {
     for (std::size_t c = 0; c < 3; ++c) {
       const auto& open = rows_->coefficients().row_scale[c];
       for (std::size_t q = 0; q < x.a[c].size(); ++q) {
@@ -187,19 +196,22 @@ void StokesSolver::connect() {
       }
     });
   }
-  if (in.empty() && problem_.drive.kind != Kind::inlet_velocity) {
-    return;
-  }
-  const int opened = open_subgrid_throats(*rows_, grid_spheres_, in, out);
-  if (opened < 0) {
-    require(problem_.drive.kind != Kind::inlet_velocity, "/drive/inlet_velocity",
+  const auto open = [&] {
+    if (!in.empty() || problem_.drive.kind == Kind::inlet_velocity) {
+      return Connectivity(*rows_, true).joined(in, out);
+    }
+    const int axis = flow_axis();
+    return axis < 0 || !problem_.box.periodic(axis) || winds_around(*rows_, axis);
+  };
+  if (!open()) {
+    statistics_.subgrid_openings = open_subgrid_throats(*rows_, grid_spheres_);
+    blocked_ = !open();
+    require(!blocked_ || problem_.drive.kind != Kind::inlet_velocity,
+            "/drive/inlet_velocity",
             "the way from the inlet to the outlet is blocked, no flux can be held; a "
             "pressure_drop can");
-    blocked_ = true;
-    return;
   }
-  statistics_.subgrid_openings = opened;
-  Connectivity regions(*rows_);
+  Connectivity regions(*rows_, true);
   std::vector<bool> reaches(grid.size, false);
   for (std::size_t cell : out) {
     reaches[regions.label(cell)] = true;
@@ -240,7 +252,7 @@ double StokesSolver::open_fraction(int component, const std::array<int, 3>& at) 
 
 void StokesSolver::make_lift() {
   const Grid& grid = rows_->grid();
-  lift_ = Fields<double>(grid.size);
+  lift_ = StokesVector<double>(grid.size);
   for (int f = 0; f < kFaces; ++f) {
     const FlowFace& face = faces_[static_cast<std::size_t>(f)];
     const int axis = axis_of(f);
@@ -267,8 +279,8 @@ void StokesSolver::make_lift() {
   }
 }
 
-Fields<double> StokesSolver::force_rows(const Vec3& force) const {
-  Fields<double> b(rows_->grid().size);
+StokesVector<double> StokesSolver::force_rows(const Vec3& force) const {
+  StokesVector<double> b(rows_->grid().size);
   for (std::size_t c = 0; c < 3; ++c) {
     const auto& scale = rows_->coefficients().row_scale[c];
     const double f = force[static_cast<int>(c)];
@@ -281,8 +293,8 @@ Fields<double> StokesSolver::force_rows(const Vec3& force) const {
   return b;
 }
 
-void StokesSolver::solve_system(const Fields<double>& b, Fields<double>& x, double scale,
-                                double tolerance) {
+void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<double>& x,
+                                double scale, double tolerance) {
   const LevelView level = view(*rows_);
   KrylovOptions krylov;
   krylov.target = tolerance * scale;
@@ -291,13 +303,16 @@ void StokesSolver::solve_system(const Fields<double>& b, Fields<double>& x, doub
   const double start = now();
   const double cpu_start = cpu_now();
   const KrylovStatistics found = krylov_->solve(
-      b, x, [&](const Fields<float>& r, Fields<float>& z) { multigrid_->apply(r, z); },
+      b, x,
+      [&](const StokesVector<float>& r, StokesVector<float>& z) {
+        multigrid_->apply(r, z);
+      },
       krylov);
   const double cpu_seconds = cpu_now() - cpu_start;
   const double seconds = now() - start;
 
   // Work units by processor time: other programs on the machine do not change the ratio.
-  Fields<double> r(rows_->grid().size);
+  StokesVector<double> r(rows_->grid().size);
   std::array<double, kTimedResiduals> times{};
   for (double& time : times) {
     const double begin = cpu_now();
@@ -320,7 +335,7 @@ void StokesSolver::solve_system(const Fields<double>& b, Fields<double>& x, doub
     throw ConvergenceError("Stokes solver: residual " +
                            std::to_string(found.residual / scale) +
                            " of the drive's after " + std::to_string(found.iterations) +
-                           " iterations, wanted " + std::to_string(tolerance));
+                           " iterations, wanted " + scientific(tolerance));
   }
 }
 
@@ -340,9 +355,9 @@ const StokesStatistics& StokesSolver::solve() {
   }
 
   // b = f - M lift in open rows and cells
-  Fields<double> b(rows_->grid().size);
+  StokesVector<double> b(rows_->grid().size);
   const LevelView level = view(*rows_);
-  const Fields<double> f = force_rows(grid_force_);
+  const StokesVector<double> f = force_rows(grid_force_);
   true_residual(*rows_, level, lift_, f, b, options_.threads);
   for (std::size_t c = 0; c < 4; ++c) {
     const auto& open =
@@ -364,11 +379,11 @@ const StokesStatistics& StokesSolver::solve() {
 void StokesSolver::solve_unit_force(int axis, double tolerance) {
   auto& x = unit_[static_cast<std::size_t>(axis)];
   if (x.a[0].empty()) {
-    x = Fields<double>(rows_->grid().size);
+    x = StokesVector<double>(rows_->grid().size);
   }
   Vec3 force;
   force[axis] = 1.0;
-  const Fields<double> b = force_rows(force);
+  const StokesVector<double> b = force_rows(force);
   solve_system(b, x, norm(view(*rows_), b, options_.threads), tolerance);
 }
 
@@ -441,7 +456,7 @@ void StokesSolver::solve_mean_velocity() {
   }
 }
 
-Vec3 StokesSolver::mean_velocity(const Fields<double>& x) const {
+Vec3 StokesSolver::mean_velocity(const StokesVector<double>& x) const {
   const Grid& grid = rows_->grid();
   Vec3 mean;
   for (int c = 0; c < 3; ++c) {

@@ -40,7 +40,7 @@ class StokesSolver {
   // Level data for interpolation and forces; grid units (length, velocity and pressure
   // units below).
   const WallRows& rows() const { return *rows_; }
-  const Fields<double>& fields() const { return flow_; }
+  const StokesVector<double>& fields() const { return flow_; }
   double length_unit() const { return length_; }                         ///< [m]
   double velocity_unit() const { return 1.0; }                           ///< [m/s]
   double pressure_unit() const { return problem_.viscosity / length_; }  ///< [Pa]
@@ -54,10 +54,10 @@ class StokesSolver {
   void make_lift();
   void solve_unit_force(int axis, double tolerance);
   void solve_mean_velocity();
-  void solve_system(const Fields<double>& b, Fields<double>& x, double scale,
+  void solve_system(const StokesVector<double>& b, StokesVector<double>& x, double scale,
                     double tolerance);
-  Fields<double> force_rows(const Vec3& force) const;
-  Vec3 mean_velocity(const Fields<double>& x) const;
+  StokesVector<double> force_rows(const Vec3& force) const;
+  Vec3 mean_velocity(const StokesVector<double>& x) const;
   double face_pressure(int face) const;
   double mean_pressure_near(int face, double margin) const;
   double open_fraction(int component, const std::array<int, 3>& at) const;
@@ -72,10 +72,11 @@ class StokesSolver {
   std::unique_ptr<Fgmres> krylov_;
   bool blocked_ = false;  ///< no way from inlet to outlet, not even below the grid
   std::vector<bool> inlet_open_;  ///< per cell: fed by an inlet that reaches the outlet
-  Fields<double> lift_;           ///< given boundary values, zero elsewhere
-  Fields<double> x_;              ///< unknowns
-  Fields<double> flow_;           ///< x + lift
-  std::array<Fields<double>, 3> unit_;  ///< responses to unit forces (mean_velocity)
+  StokesVector<double> lift_;     ///< given boundary values, zero elsewhere
+  StokesVector<double> x_;        ///< unknowns
+  StokesVector<double> flow_;     ///< x + lift
+  std::array<StokesVector<double>, 3>
+      unit_;  ///< responses to unit forces (mean_velocity)
   Vec3 grid_force_;
   StokesStatistics statistics_;
 };

@@ -30,39 +30,52 @@ LineTransfer identity(int count) {
   return t;
 }
 
-// Faces: coarse face I is fine face 2I (the last one is the last).
+// Faces: coarse face I is fine face 2I, the last one is the last.
 LineTransfer face_line(const Grid& fine, const Grid& coarse, int axis) {
   const auto& w = fine.width[at(axis)];
+  const auto& W = coarse.width[at(axis)];
+  const auto& x = fine.position[at(axis)];
+  const auto& X = coarse.position[at(axis)];
   const int n = fine.cells[at(axis)];
   const int count = coarse.cells[at(axis)];
   const bool periodic = fine.periodic[at(axis)];
   LineTransfer t;
   for (int i = 0; i <= n; ++i) {
-    const bool shared = i % 2 == 0 || i == n;
-    const int below = i == n ? count : i / 2;
-    t.near.push_back(below);
-    t.far.push_back(shared ? below : below + 1);
-    const double share = shared ? 1.0 : w[at(i)] / (w[at(i - 1)] + w[at(i)]);
-    t.near_part.push_back(static_cast<float>(share));
-    t.far_part.push_back(static_cast<float>(1.0 - share));
+    const int cell = std::min(i / 2, count - 1);
+    const double share = (X[at(cell + 1)] - x[at(i)]) / W[at(cell)];
+    t.near.push_back(share > 0.0 ? cell : cell + 1);
+    t.far.push_back(share < 1.0 ? cell + 1 : cell);
+    t.near_part.push_back(static_cast<float>(share > 0.0 ? share : 1.0));
+    t.far_part.push_back(static_cast<float>(share > 0.0 ? 1.0 - share : 0.0));
   }
-  const auto width_at = [&](int i) { return w[at((i + n) % n)]; };
-  for (int coarse_face = 0; coarse_face <= count; ++coarse_face) {
-    const int i = coarse_face == count ? n : 2 * coarse_face;
-    const bool has_below = periodic || i > 0;
-    const bool has_above = periodic || i < n;
-    // A coarse cell of one fine cell has no fine face inside it.
-    const int last_single = n % 2 == 1 ? n - 1 : -2;
-    const bool pair_below = has_below && (i + n - 1) % n != last_single;
-    const bool pair_above = has_above && i % n != last_single;
-    const double own =
-        0.5 * ((has_below ? width_at(i - 1) : 0.0) + (has_above ? width_at(i) : 0.0));
-    const double below = pair_below ? 0.5 * width_at(i - 2) : 0.0;
-    const double above = pair_above ? 0.5 * width_at(i + 1) : 0.0;
-    const double sum = own + below + above;
+  // Overlap of the fine control volumes with the coarse one; cells beyond the box are
+  // empty.
+  const auto width = [&](int cell) {
+    const bool inside = periodic || (cell >= 0 && cell < n);
+    return inside ? w[at((cell + n) % n)] : 0.0;
+  };
+  const auto coarse_width = [&](int cell) {
+    const bool inside = periodic || (cell >= 0 && cell < count);
+    return inside ? W[at((cell + count) % count)] : 0.0;
+  };
+  for (int I = 0; I <= count; ++I) {
+    const int i = I == count ? n : 2 * I;
+    const double low = -0.5 * coarse_width(I - 1);
+    const double high = 0.5 * coarse_width(I);
+    const std::array<double, 3> place{-width(i - 1), 0.0, width(i)};
+    std::array<double, 3> overlap{};
+    double sum = 0.0;
+    for (int m = 0; m < 3; ++m) {
+      const int face = i - 1 + m;
+      const double from = place[at(m)] - 0.5 * width(face - 1);
+      const double to = place[at(m)] + 0.5 * width(face);
+      overlap[at(m)] = std::max(0.0, std::min(high, to) - std::max(low, from));
+      sum += overlap[at(m)];
+    }
     t.first.push_back(i - 1);
-    t.part.push_back({static_cast<float>(below / sum), static_cast<float>(own / sum),
-                      static_cast<float>(above / sum)});
+    t.part.push_back({static_cast<float>(overlap[0] / sum),
+                      static_cast<float>(overlap[1] / sum),
+                      static_cast<float>(overlap[2] / sum)});
   }
   return t;
 }
@@ -75,7 +88,7 @@ LineTransfer centre_line(const Grid& fine, const Grid& coarse, int axis,
   const auto& w = fine.width[at(axis)];
   LineTransfer t;
   for (int i = 0; i < n; ++i) {
-    const int parent = i / 2;
+    const int parent = std::min(i / 2, count - 1);
     const double offset = fine.centre(axis, i) - coarse.centre(axis, parent);
     const int other = parent + (offset > 0.0 ? 1 : -1);
     double share = 1.0;
@@ -100,11 +113,13 @@ LineTransfer centre_line(const Grid& fine, const Grid& coarse, int axis,
     t.near_part.push_back(static_cast<float>(share));
   }
   for (int I = 0; I < count; ++I) {
-    const bool pair = 2 * I + 1 < n;
-    const double first = w[at(2 * I)] / W[at(I)];
+    std::array<float, 3> part{};
+    const int cells = I == count - 1 ? n - 2 * I : 2;
+    for (int m = 0; m < cells; ++m) {
+      part[at(m)] = static_cast<float>(w[at(2 * I + m)] / W[at(I)]);
+    }
     t.first.push_back(2 * I);
-    t.part.push_back(
-        {static_cast<float>(first), pair ? static_cast<float>(1.0 - first) : 0.0F, 0.0F});
+    t.part.push_back(part);
   }
   return t;
 }
@@ -113,11 +128,11 @@ LineTransfer centre_line(const Grid& fine, const Grid& coarse, int axis,
 LineTransfer with_rows(LineTransfer t) {
   const auto length = at(whole_blocks(static_cast<int>(t.first.size()) + 2));
   for (auto* row : {&t.even_here, &t.even_below, &t.odd_here, &t.odd_above, &t.take[0],
-                    &t.take[1], &t.take[2]}) {
+                    &t.take[1], &t.take[2], &t.take[3]}) {
     row->assign(length, 0.0F);
   }
   for (std::size_t i = 0; i < t.near.size(); ++i) {
-    const std::size_t parent = i / 2;
+    const std::size_t parent = i / 2;  // of the row's pattern, not always of the grid
     const bool even = i % 2 == 0;
     for (const auto& [index, weight] :
          {std::pair{t.near[i], t.near_part[i]}, std::pair{t.far[i], t.far_part[i]}}) {
@@ -169,15 +184,15 @@ void add_row(float weight, const float* __restrict row, float* __restrict sum,
 
 void restrict_row(const LineTransfer& x, const float* sum, const float* open, float* out,
                   std::size_t count) {
-  const float* __restrict s =
-      sum;  // s[2I], s[2I + 1], s[2I + 2]: fine 2I - 1, 2I, 2I + 1
+  const float* __restrict s = sum;  // s[2I] is fine 2I - 1
   const float* __restrict first = x.take[0].data();
   const float* __restrict second = x.take[1].data();
   const float* __restrict third = x.take[2].data();
+  const float* __restrict fourth = x.take[3].data();
 #pragma GCC ivdep
   for (std::size_t i = 0; i < count; ++i) {
-    const float value =
-        first[i] * s[2 * i] + second[i] * s[2 * i + 1] + third[i] * s[2 * i + 2];
+    const float value = first[i] * s[2 * i] + second[i] * s[2 * i + 1] +
+                        third[i] * s[2 * i + 2] + fourth[i] * s[2 * i + 3];
     out[i] = open[i] > 0.0F ? value : 0.0F;
   }
 }
@@ -218,8 +233,8 @@ LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
 }
 
 void restrict_plane(const LevelTransfer& t, const LevelView& fine,
-                    const LevelView& coarse, const Fields<float>& r_fine,
-                    Fields<float>& f_coarse, int K) {
+                    const LevelView& coarse, const StokesVector<float>& r_fine,
+                    StokesVector<float>& f_coarse, int K) {
   std::vector<float> sum(sum_length(fine));
   const auto length = at(fine.end[0] + 2);
   for (int c = 0; c < 4; ++c) {
@@ -260,7 +275,8 @@ void restrict_plane(const LevelTransfer& t, const LevelView& fine,
 }
 
 void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
-                   const Fields<float>& u_coarse, Fields<float>& u_fine, int k) {
+                   const StokesVector<float>& u_coarse, StokesVector<float>& u_fine,
+                   int k) {
   std::vector<float> sum(sum_length(fine));
   const auto length = at(coarse.end[0] + 2);
   for (int c = 0; c < 4; ++c) {

@@ -27,9 +27,9 @@ struct LineTransfer {
   // The same for a whole row of a coarsened axis, coarse index I; zero beyond the row.
   //   fine 2I   = even_here s[I] + even_below s[I-1]
   //   fine 2I+1 = odd_here s[I] + odd_above s[I+1]
-  //   coarse I  = take[0] r[2I-1] + take[1] r[2I] + take[2] r[2I+1]
+  //   coarse I  = take[0] r[2I-1] + take[1] r[2I] + take[2] r[2I+1] + take[3] r[2I+2]
   std::vector<float> even_here, even_below, odd_here, odd_above;
-  std::array<std::vector<float>, 3> take;
+  std::array<std::vector<float>, 4> take;
 };
 
 struct LevelTransfer {
@@ -43,11 +43,12 @@ LevelTransfer make_transfer(const Grid& fine, const Grid& coarse,
 
 /// f_coarse = averages of r_fine on the coarse plane K; zero in closed rows and cells.
 void restrict_plane(const LevelTransfer& t, const LevelView& fine,
-                    const LevelView& coarse, const Fields<float>& r_fine,
-                    Fields<float>& f_coarse, int K);
+                    const LevelView& coarse, const StokesVector<float>& r_fine,
+                    StokesVector<float>& f_coarse, int K);
 
 /// u_fine += interpolation of u_coarse on the fine plane k, in open rows and cells.
 void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelView& coarse,
-                   const Fields<float>& u_coarse, Fields<float>& u_fine, int k);
+                   const StokesVector<float>& u_coarse, StokesVector<float>& u_fine,
+                   int k);
 
 }  // namespace colloid

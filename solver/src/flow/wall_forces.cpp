@@ -104,7 +104,7 @@ class RowBalance {
 
   const WallRows& rows_;
   const Grid& grid_;
-  const Fields<double>& fields_;
+  const StokesVector<double>& fields_;
   const std::vector<double>& p_;
   Vec3 force_;
 };

@@ -302,23 +302,29 @@ void WallRows::find_near_surfaces(int component, const std::array<int, 3>& at,
     }
   }
 
-  // 2  its moment; where several surfaces cut the face, that of the nearest one, sampled
+  // 2  its moment; where several surfaces cut the face, less by the part that the others
+  // take
+  //    at sampled points (none, if they are the same surface)
   found.open = found.all[found.first].moment;
   if (touching > 1) {
-    double sum = 0.0;
+    const Row& wall = found.all[found.first];
+    double alone = 0.0;
+    double together = 0.0;
     for (int a = 0; a < kSamples; ++a) {
       for (int b = 0; b < kSamples; ++b) {
         Vec3 y = x;
         y[t1] += ((a + 0.5) / kSamples - 0.5) * w1;
         y[t2] += ((b + 0.5) / kSamples - 0.5) * w2;
-        double distance = std::numeric_limits<double>::max();
+        const double here = norm(y - wall.image->center) - wall.image->radius;
+        double distance = here;
         for (const Row& s : found.all) {
           distance = std::min(distance, norm(y - s.image->center) - s.image->radius);
         }
-        sum += std::max(0.0, distance);
+        alone += std::max(0.0, here);
+        together += std::max(0.0, distance);
       }
     }
-    found.open = std::min(found.open, sum / (kSamples * kSamples));
+    found.open *= alone > 0.0 ? together / alone : 0.0;
   }
 }
 
@@ -413,7 +419,12 @@ void WallRows::open_subgrid(int component, std::size_t face, double conductance)
   close(component, face);
   coefficients_.row_scale[c][face] =
       static_cast<float>(coefficients_.diagonal * conductance);
-  wrap(component);
+}
+
+void WallRows::update_cells() {
+  for (int c = 0; c < 3; ++c) {
+    wrap(c);
+  }
   IndexBox whole;
   whole.end = grid_.cells;
   make_cells(whole);

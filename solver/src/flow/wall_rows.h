@@ -61,6 +61,7 @@ class WallRows {
   /// Opens a closed face as a sub-grid throat: mean velocity = conductance x (f - grad
   /// p).
   void open_subgrid(int component, std::size_t face, double conductance);
+  void update_cells();
 
   /// Effective wall distance of a face: its moment (wall_moment.h); at least the reach of
   /// the walls where none is near.  Grid units.

@@ -20,6 +20,9 @@ FlowScales flow_scales(const StokesSolver& solver, const Measurement& m) {
   scales.throat_diameter = m.critical.value;
   const int axis = solver.flow_axis();
   if (axis < 0) {
+    // Sheared, not driven through: the largest speed is the only scale there is.
+    scales.inlet_speed = scales.largest_speed;
+    scales.throat_speed = scales.largest_speed;
     return scales;
   }
   const double area = problem.box.size[(axis + 1) % 3] * problem.box.size[(axis + 2) % 3];

@@ -33,33 +33,57 @@ struct Pore {
   WallRows rows;
 };
 
+bool joined(Pore& pore) {
+  return Connectivity(pore.rows, true).joined({pore.top()}, {pore.bottom()});
+}
+
 TEST(Connectivity, CellsJoinedByOpenFacesShareALabel) {
   Pore open(2.0);
-  Connectivity regions(open.rows);
-  EXPECT_EQ(regions.label(open.top()), regions.label(open.bottom()));
-  EXPECT_EQ(open_subgrid_throats(open.rows, open.spheres, {open.top()}, {open.bottom()}),
-            0);
+  EXPECT_TRUE(joined(open));
 }
 
 // The holes of the plate lie on grid lines, at the corners of faces: closed on the grid
 // when they are small, open in truth while the radius is below 2 sqrt 2.
-TEST(Connectivity, OpensTheWidestSubGridThroatOnly) {
+TEST(Connectivity, OpensEverySubGridThroat) {
   Pore narrow(2.0 * std::sqrt(2.0) - 0.02);
-  Connectivity before(narrow.rows);
-  ASSERT_NE(before.label(narrow.top()), before.label(narrow.bottom()));
-  const int opened = open_subgrid_throats(narrow.rows, narrow.spheres, {narrow.top()},
-                                          {narrow.bottom()});
-  EXPECT_GE(opened, 1);
-  EXPECT_LE(opened, 8);
-  Connectivity after(narrow.rows);
-  EXPECT_EQ(after.label(narrow.top()), after.label(narrow.bottom()));
+  ASSERT_FALSE(joined(narrow));
+  const int opened = open_subgrid_throats(narrow.rows, narrow.spheres);
+  EXPECT_TRUE(joined(narrow));
+  // Four whole holes, each touching the four faces around its grid line on every level of
+  // cells that the spheres close.
+  EXPECT_GE(opened, 16);
+  EXPECT_EQ(opened % 4, 0);
 }
 
 TEST(Connectivity, FindsNoWayThroughAClosedPlate) {
   Pore closed(2.0 * std::sqrt(2.0) + 0.02);
-  EXPECT_EQ(open_subgrid_throats(closed.rows, closed.spheres, {closed.top()},
-                                 {closed.bottom()}),
-            -1);
+  open_subgrid_throats(closed.rows, closed.spheres);
+  EXPECT_FALSE(joined(closed));
+}
+
+TEST(Connectivity, WindsAroundAPeriodThatIsOpen) {
+  FlowFaces faces;
+  for (FlowFace& f : faces) {
+    f.kind = FlowFace::Kind::periodic;
+  }
+  const Grid grid = make_grid({8.0, 8.0, 8.0}, {8, 8, 8}, {true, true, true});
+  // One sphere leaves every direction open; one that fills the box's cross-section but
+  // for its edges in y and z closes none of x, y, z beside it; a plate of four closes z
+  // alone.
+  WallRows single(grid, faces);
+  single.add(Sphere{{4.0, 4.0, 4.0}, 2.5});
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_TRUE(winds_around(single, axis));
+  }
+  WallRows plate_across(grid, faces);
+  for (double x : {0.0, 4.0}) {
+    for (double y : {0.0, 4.0}) {
+      plate_across.add(Sphere{{x, y, 4.0}, 2.95});
+    }
+  }
+  EXPECT_TRUE(winds_around(plate_across, 0));
+  EXPECT_TRUE(winds_around(plate_across, 1));
+  EXPECT_FALSE(winds_around(plate_across, 2));
 }
 
 }  // namespace

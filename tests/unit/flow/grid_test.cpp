@@ -21,12 +21,14 @@ TEST(Grid, IndicesOfOneLevelAreDistinctAndInside) {
   }
 }
 
-TEST(Grid, CoarseningKeepsTheExtentAndLeavesOneNarrowCell) {
+TEST(Grid, CoarseningKeepsTheExtentAndMakesEvenNumbers) {
   const Grid fine = make_grid({7.0, 4.0, 5.0}, {7, 4, 5}, {true, true, false});
-  const Grid coarse = coarsen(fine, {true, true, false});
-  EXPECT_EQ(coarse.cells, (std::array<int, 3>{4, 2, 5}));
+  const Grid coarse = coarsen(fine, {true, true, true});
+  EXPECT_EQ(coarse.cells, (std::array<int, 3>{4, 2, 2}));
   EXPECT_DOUBLE_EQ(coarse.position[0].back(), 7.0);
-  EXPECT_DOUBLE_EQ(coarse.width[0].back(), 1.0);
+  EXPECT_DOUBLE_EQ(coarse.width[0].back(), 1.0);  // left alone
+  EXPECT_DOUBLE_EQ(coarse.position[2].back(), 5.0);
+  EXPECT_DOUBLE_EQ(coarse.width[2].back(), 3.0);  // joined to the pair before
   EXPECT_DOUBLE_EQ(coarse.width[0].front(), 2.0);
 }
 

@@ -54,8 +54,8 @@ TEST(Transfer, ConstantsPassBothWaysInAPeriodicBox) {
   for (const auto& cells : {std::array<int, 3>{8, 6, 10}, std::array<int, 3>{9, 7, 5},
                             std::array<int, 3>{40, 3, 2}}) {
     const Levels levels(cells, FlowFace::Kind::periodic);
-    Fields<float> up(levels.coarse.grid().size), down(levels.fine.grid().size);
-    Fields<float> r(levels.fine.grid().size), f(levels.coarse.grid().size);
+    StokesVector<float> up(levels.coarse.grid().size), down(levels.fine.grid().size);
+    StokesVector<float> r(levels.fine.grid().size), f(levels.coarse.grid().size);
     for (int c = 0; c < 4; ++c) {
       for_unknowns(levels.coarse, c,
                    [&](std::size_t q, const Vec3&) { up[c][q] = 2.0F; });
@@ -86,7 +86,7 @@ TEST(Transfer, ConstantsPassBothWaysInAPeriodicBox) {
 // interpolated exactly there: the wall's own value takes part.
 TEST(Transfer, LinearVelocityBesideAWallIsExact) {
   const Levels levels({8, 8, 7}, FlowFace::Kind::velocity);
-  Fields<float> up(levels.coarse.grid().size), down(levels.fine.grid().size);
+  StokesVector<float> up(levels.coarse.grid().size), down(levels.fine.grid().size);
   for_unknowns(levels.coarse, u_x, [&](std::size_t q, const Vec3& x) {
     up[u_x][q] = static_cast<float>(x.y);
   });

@@ -32,7 +32,7 @@ TEST(WallRows, AnnihilateTheLinearProfileOfAWallInAnyPosition) {
       const Vec3 touched = Vec3{6.0, 6.0, 6.0} + unit * offset;
       rows.add(Sphere{touched - unit * radius, radius});
       const Grid& grid = rows.grid();
-      Fields<double> u(grid.size), f(grid.size), r(grid.size);
+      StokesVector<double> u(grid.size), f(grid.size), r(grid.size);
       for (int c = 0; c < 3; ++c) {
         for (int k = 0; k < grid.end(c, 2); ++k) {
           for (int j = 0; j < grid.end(c, 1); ++j) {

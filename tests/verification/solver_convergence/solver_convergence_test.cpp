@@ -72,7 +72,7 @@ TEST(WarmStart, AfterOneRetentionNeedsNoMoreThanFromZero) {
 }
 
 TEST(Threads, ResultsAreTheSameBitForBit) {
-  std::vector<Fields<double>> results;
+  std::vector<StokesVector<double>> results;
   for (int threads : {1, 2, 3}) {
     StokesOptions options;
     options.threads = threads;
@@ -81,7 +81,7 @@ TEST(Threads, ResultsAreTheSameBitForBit) {
     results.push_back(solver.fields());
   }
   StokesProblem array = cases::simple_cubic_array(0.216, 17);
-  std::vector<Fields<double>> periodic;
+  std::vector<StokesVector<double>> periodic;
   for (int threads : {1, 2}) {
     StokesOptions options;
     options.threads = threads;
