@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "flow/clones.h"
+
 namespace colloid {
 
 namespace {
@@ -174,16 +176,16 @@ std::size_t sum_length(const LevelView& fine) {
   return at(whole_blocks(fine.end[0] + 2) + 4 * kBlock);
 }
 
-void add_row(float weight, const float* __restrict row, float* __restrict sum,
-             std::size_t count) {
+PORECLOG_CLONES void add_row(float weight, const float* __restrict row,
+                             float* __restrict sum, std::size_t count) {
 #pragma GCC ivdep
   for (std::size_t i = 0; i < count; ++i) {
     sum[i] += weight * row[i];
   }
 }
 
-void restrict_row(const LineTransfer& x, const float* sum, const float* open, float* out,
-                  std::size_t count) {
+PORECLOG_CLONES void restrict_row(const LineTransfer& x, const float* sum,
+                                  const float* open, float* out, std::size_t count) {
   const float* __restrict s = sum;  // s[2I] is fine 2I - 1
   const float* __restrict first = x.take[0].data();
   const float* __restrict second = x.take[1].data();
@@ -197,8 +199,10 @@ void restrict_row(const LineTransfer& x, const float* sum, const float* open, fl
   }
 }
 
-void prolong_row(const LineTransfer& x, const float* sum, const float* open, float* out,
-                 std::size_t count) {
+// `work` holds the interpolated row before closed unknowns are left out.
+PORECLOG_CLONES void prolong_row(const LineTransfer& x, const float* sum,
+                                 const float* open, float* out, std::size_t count,
+                                 float* __restrict work) {
   const float* __restrict s = sum;  // s[I], s[I + 1], s[I + 2]: coarse I - 1, I, I + 1
   const float* __restrict even_here = x.even_here.data();
   const float* __restrict even_below = x.even_below.data();
@@ -206,10 +210,12 @@ void prolong_row(const LineTransfer& x, const float* sum, const float* open, flo
   const float* __restrict odd_above = x.odd_above.data();
 #pragma GCC ivdep
   for (std::size_t i = 0; i < count; ++i) {
-    const float even = even_here[i] * s[i + 1] + even_below[i] * s[i];
-    const float odd = odd_here[i] * s[i + 1] + odd_above[i] * s[i + 2];
-    out[2 * i] += open[2 * i] > 0.0F ? even : 0.0F;
-    out[2 * i + 1] += open[2 * i + 1] > 0.0F ? odd : 0.0F;
+    work[2 * i] = even_here[i] * s[i + 1] + even_below[i] * s[i];
+    work[2 * i + 1] = odd_here[i] * s[i + 1] + odd_above[i] * s[i + 2];
+  }
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < 2 * count; ++i) {
+    out[i] += open[i] > 0.0F ? work[i] : 0.0F;
   }
 }
 
@@ -278,6 +284,7 @@ void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelVie
                    const StokesVector<float>& u_coarse, StokesVector<float>& u_fine,
                    int k) {
   std::vector<float> sum(sum_length(fine));
+  std::vector<float> work(sum_length(fine));
   const auto length = at(coarse.end[0] + 2);
   for (int c = 0; c < 4; ++c) {
     const LineTransfer& x = line(t, c, 0);
@@ -306,7 +313,7 @@ void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelVie
       const float* open = openness(fine, c) + q;
       if (x.coarsened) {
         // The last pair may reach one beyond the row: closed there, or a halo.
-        prolong_row(x, sum.data(), open, out, (at(fine.end[0]) + 1) / 2);
+        prolong_row(x, sum.data(), open, out, (at(fine.end[0]) + 1) / 2, work.data());
       } else {
         const std::size_t count = std::min(x.near.size(), at(fine.end[0]));
         for (std::size_t i = 0; i < count; ++i) {
