@@ -6,7 +6,7 @@
 //   ns_per_cell   time over cells [ns]
 //   work_units    time over that of one residual evaluation in double precision, which is
 //                 measured in turn with it, so that a busy machine slows both
-//   iterations_to_1e-6   of FGMRES, one V-cycle each
+//   iterations_to_1e-6   of FGMRES, one multigrid cycle each
 //   setup_ms      before a solve: rows and coarse levels, or their update
 //
 // Time is processor time of one thread, so other programs disturb it through the caches

@@ -152,16 +152,16 @@ void Multigrid::smooth(StokesVector<float>& u, const StokesVector<float>& f,
 }
 
 void Multigrid::cycle(std::size_t index, const StokesVector<float>& f,
-                      StokesVector<float>& u) {
+                      StokesVector<float>& u, bool from_zero) {
   Level& level = levels_[index];
   if (index + 1 == levels_.size()) {
     for (int s = 0; s < options_.coarsest_sweeps; ++s) {
-      sweep(level, f, u, s == 0, s);
+      sweep(level, f, u, from_zero && s == 0, s);
     }
     return;
   }
   for (int s = 0; s < options_.sweeps_before; ++s) {
-    sweep(level, f, u, s == 0, s);
+    sweep(level, f, u, from_zero && s == 0, s);
   }
   residual(level, u, f);
   fill_halos(level.walls->grid(), level.r);
@@ -171,7 +171,10 @@ void Multigrid::cycle(std::size_t index, const StokesVector<float>& f,
     restrict_plane(level.transfer, level.view, coarse.view, level.r, coarse.f, k);
   });
   fill_halos(coarse.walls->grid(), coarse.f);
-  cycle(index + 1, coarse.f, coarse.u);
+  const int visits = index + 2 < levels_.size() ? options_.coarse_visits : 1;
+  for (int visit = 0; visit < visits; ++visit) {
+    cycle(index + 1, coarse.f, coarse.u, visit == 0);
+  }
   fill_halos(coarse.walls->grid(), coarse.u);
   for_planes(level.view.end[2], threads_, [&](int k) {
     prolong_plane(level.transfer, level.view, coarse.view, coarse.u, u, k);
@@ -182,7 +185,7 @@ void Multigrid::cycle(std::size_t index, const StokesVector<float>& f,
 }
 
 void Multigrid::apply(const StokesVector<float>& r, StokesVector<float>& z) {
-  cycle(0, r, z);
+  cycle(0, r, z, true);
 }
 
 }  // namespace colloid

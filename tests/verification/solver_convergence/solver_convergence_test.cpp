@@ -34,8 +34,8 @@ TEST(Iterations, DependNeitherOnSizeNorOnCrowding) {
       EXPECT_LE(s.relative_residual, 1e-6);
     }
   }
-  EXPECT_LE(most, 13);
-  EXPECT_LE(most - fewest, 5);
+  EXPECT_LE(most, 10);
+  EXPECT_LE(most - fewest, 4);
 }
 
 TEST(Iterations, TouchingSpheresInACubicArray) {
