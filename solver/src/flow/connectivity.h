@@ -16,8 +16,8 @@ namespace colloid {
 
 /// Mean velocity through a face of area A over gradient, times A / rho^4, for a duct of
 /// inscribed radius rho: a square duct (White 1991, Viscous Fluid Flow, eq 3-48).  Circle
-/// 0.393, equilateral triangle 0.779, so a sub-grid throat's conductance is good to a
-/// factor of about 1.5.
+/// 0.393, equilateral triangle 0.779.  Measured on packs (results/evidence/extremes):
+/// good to a factor of 2 to 4.
 constexpr double kDuctConductance = 0.5623;
 
 /// Cells joined through open faces share a label; cells without an open face have their
