@@ -1,5 +1,7 @@
 #include "flow/axis_stencil.h"
 
+#include <cassert>
+
 namespace colloid {
 
 namespace {
@@ -32,12 +34,13 @@ float weight(const SecondDifference& d, double distance, Side side) {
 AxisStencil make_axis_stencil(const Grid& grid, int axis, Kind lower, Kind upper) {
   const auto& w = grid.width[static_cast<std::size_t>(axis)];
   const std::size_t n = w.size();
+  assert(n > 0);
   const bool periodic = lower == Kind::periodic;
   AxisStencil s;
   s.at_face.resize(n + 1);
   s.at_centre.resize(n);
   const auto length =
-      static_cast<std::size_t>(whole_blocks(static_cast<int>(n) + 3) + kBlock);
+      static_cast<std::size_t>(whole_blocks(static_cast<int>(n) + 3 + kBlock));
   s.face_below.assign(length, 0.0F);
   s.face_above.assign(length, 0.0F);
   s.centre_below.assign(length, 0.0F);

@@ -58,7 +58,8 @@ double distance_to(const std::vector<Sphere>& spheres, const Grid& grid, const V
   return nearest;
 }
 
-// Largest distance to the surfaces over a face.
+// Largest distance to the surfaces over a face: a scan and a pattern search around its
+// best point. NOLINTNEXTLINE(readability-function-size)
 double face_clearance(const std::vector<Sphere>& spheres, const Grid& grid, int component,
                       const std::array<int, 3>& at) {
   const int t1 = (component + 1) % 3;
@@ -137,6 +138,7 @@ Connectivity::Connectivity(const WallRows& rows, bool across)
 bool Connectivity::joined(const std::vector<std::size_t>& from,
                           const std::vector<std::size_t>& to) {
   std::vector<std::size_t> labels;
+  labels.reserve(to.size());
   for (std::size_t cell : to) {
     labels.push_back(label(cell));
   }
@@ -160,6 +162,8 @@ void Connectivity::join(std::size_t a, std::size_t b) {
   parent_[std::max(ra, rb)] = std::min(ra, rb);
 }
 
+// One breadth-first search with its step inside.
+// NOLINTNEXTLINE(readability-function-size)
 bool winds_around(const WallRows& rows, int axis) {
   const Grid& grid = rows.grid();
   const auto seam = static_cast<std::size_t>(axis);

@@ -17,7 +17,8 @@ void lay_out(Grid& grid) {
   grid.origin = static_cast<std::size_t>(1 + grid.stride_y + grid.stride_z);
   // A plane and a block more than the box of indices: neighbours above the last face are
   // read, with weight zero, and rows are processed in whole blocks.
-  grid.size = static_cast<std::size_t>(grid.stride_z * (grid.cells[2] + 3) + 2 * kBlock);
+  grid.size = static_cast<std::size_t>(grid.stride_z * (grid.cells[2] + 3) +
+                                       std::ptrdiff_t{2} * kBlock);
 }
 
 }  // namespace

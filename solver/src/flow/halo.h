@@ -47,7 +47,7 @@ void fill_halo_of_plane(const Grid& grid, Real* x, int k) {
       x[grid.index(nx, j, k)] = x[grid.index(0, j, k)];
     }
   }
-  const auto row = static_cast<std::size_t>(nx + 2);
+  const auto row = static_cast<std::size_t>(nx) + 2;
   if (grid.periodic[1]) {
     std::copy_n(x + grid.index(-1, ny - 1, k), row, x + grid.index(-1, -1, k));
     std::copy_n(x + grid.index(-1, 0, k), row, x + grid.index(-1, ny, k));

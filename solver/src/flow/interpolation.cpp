@@ -64,6 +64,8 @@ double surface_distance(const std::vector<Sphere>& spheres, const Grid& grid,
   return distance;
 }
 
+// The eight unknowns around a point, one after the other, then what they say.
+// NOLINTNEXTLINE(readability-function-size)
 double component_at(const StokesSolver& solver, int component, const Vec3& x) {
   const WallRows& rows = solver.rows();
   const Grid& grid = rows.grid();

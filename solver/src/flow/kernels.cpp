@@ -18,8 +18,10 @@ std::size_t row_length(const LevelView& m) {
 
 }  // namespace
 
-// r = f - M u, with f = 0 if there is no f.
+// r = f - M u, with f = 0 if there is no f.  Three components and the divergence, one
+// after the other: splitting the loop nest would hide that it is one pass.
 template <bool kHasForce, class In, class Out>
+// NOLINTNEXTLINE(readability-function-size)
 PORECLOG_CLONES void balance_plane(const LevelView& m, const StokesVector<In>& u,
                                    const StokesVector<Out>& f, StokesVector<Out>& r,
                                    int k) {
@@ -27,10 +29,10 @@ PORECLOG_CLONES void balance_plane(const LevelView& m, const StokesVector<In>& u
   const std::ptrdiff_t sz = m.stride_z;
   const std::size_t n = row_length(m);
   const Out d = static_cast<Out>(m.diagonal);
-  const auto kk = static_cast<std::size_t>(k + 1);
+  const auto kk = static_cast<std::size_t>(k) + 1;
   for (int j = 0; j < m.end[1]; ++j) {
     const std::size_t q = row_begin(m, j, k);
-    const auto jj = static_cast<std::size_t>(j + 1);
+    const auto jj = static_cast<std::size_t>(j) + 1;
     const In* __restrict p = u[pressure] + q;
     for (std::size_t c = 0; c < 3; ++c) {
       const int component = static_cast<int>(c);
@@ -119,8 +121,8 @@ PORECLOG_CLONES void schur_start_plane(const LevelView& m, const StokesVector<fl
     const float* __restrict rp = r[pressure] + at;
     const float* __restrict scale = m.cell_scale + at;
     const float* __restrict dx = m.divergence[0] + 1;
-    const float dy = inverse * m.divergence[1][static_cast<std::size_t>(j + 1)];
-    const float dz = inverse * m.divergence[2][static_cast<std::size_t>(k + 1)];
+    const float dy = inverse * m.divergence[1][static_cast<std::size_t>(j) + 1];
+    const float dz = inverse * m.divergence[2][static_cast<std::size_t>(k) + 1];
     float* __restrict rhs = b + at;
     float* __restrict out = q + at;
 #pragma GCC ivdep
@@ -140,10 +142,10 @@ PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float 
   const std::ptrdiff_t sz = m.stride_z;
   const std::size_t n = row_length(m);
   const float inverse = static_cast<float>(1.0 / m.diagonal);
-  const auto kk = static_cast<std::size_t>(k + 1);
+  const auto kk = static_cast<std::size_t>(k) + 1;
   for (int j = 0; j < m.end[1]; ++j) {
     const std::size_t at = row_begin(m, j, k);
-    const auto jj = static_cast<std::size_t>(j + 1);
+    const auto jj = static_cast<std::size_t>(j) + 1;
     const float* __restrict old = q + at;
     const float* __restrict rhs = b + at;
     float* __restrict out = q_new + at;

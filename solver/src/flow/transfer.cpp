@@ -1,6 +1,7 @@
 #include "flow/transfer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -41,6 +42,7 @@ LineTransfer face_line(const Grid& fine, const Grid& coarse, int axis) {
   const int n = fine.cells[at(axis)];
   const int count = coarse.cells[at(axis)];
   const bool periodic = fine.periodic[at(axis)];
+  assert(n > 0 && count > 0);
   LineTransfer t;
   for (int i = 0; i <= n; ++i) {
     const int cell = std::min(i / 2, count - 1);
@@ -88,6 +90,7 @@ LineTransfer centre_line(const Grid& fine, const Grid& coarse, int axis,
   const int count = coarse.cells[at(axis)];
   const auto& W = coarse.width[at(axis)];
   const auto& w = fine.width[at(axis)];
+  assert(n > 0 && count > 0);
   LineTransfer t;
   for (int i = 0; i < n; ++i) {
     const int parent = std::min(i / 2, count - 1);

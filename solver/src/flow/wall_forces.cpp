@@ -168,8 +168,8 @@ WallForces wall_forces(const StokesSolver& solver) {
           const Balance balance = balance_of(c, at);
           const NearestSurface surface = rows.nearest(c, i, j, k);
           if (rows.on_given_face(c, at)) {
-            const auto own = static_cast<std::size_t>(
-                2 * c + (at[static_cast<std::size_t>(c)] == 0 ? 0 : 1));
+            const auto s = static_cast<std::size_t>(c);
+            const std::size_t own = 2 * s + (at[s] == 0 ? 0 : 1);
             forces.faces[own][c] += balance.total;
             continue;
           }

@@ -156,33 +156,38 @@ void WallRows::add(const Sphere& sphere) {
   add(std::vector<Sphere>{sphere});
 }
 
-void WallRows::add(const std::vector<Sphere>& spheres) {
-  const std::size_t first = images_.size();
-  for (const Sphere& sphere : spheres) {
-    std::array<int, 3> shifts{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      shifts[a] = grid_.periodic[a] ? 1 : 0;
-    }
-    for (int kz = -shifts[2]; kz <= shifts[2]; ++kz) {
-      for (int ky = -shifts[1]; ky <= shifts[1]; ++ky) {
-        for (int kx = -shifts[0]; kx <= shifts[0]; ++kx) {
-          Image image{sphere.center, sphere.radius, sphere_count_};
-          const std::array<int, 3> shift{kx, ky, kz};
-          bool reaches = true;
-          for (int a = 0; a < 3; ++a) {
-            const auto s = static_cast<std::size_t>(a);
-            const double length = grid_.position[s].back();
-            image.center[a] += shift[s] * length;
-            reaches = reaches && image.center[a] + image.radius + reach_ > 0.0 &&
-                      image.center[a] - image.radius - reach_ < length;
-          }
-          if (reaches) {
-            images_.push_back(image);
-          }
+// The sphere and those of its periodic images that reach the box.
+void WallRows::add_images(const Sphere& sphere) {
+  std::array<int, 3> shifts{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    shifts[a] = grid_.periodic[a] ? 1 : 0;
+  }
+  for (int kz = -shifts[2]; kz <= shifts[2]; ++kz) {
+    for (int ky = -shifts[1]; ky <= shifts[1]; ++ky) {
+      for (int kx = -shifts[0]; kx <= shifts[0]; ++kx) {
+        Image image{sphere.center, sphere.radius, sphere_count_};
+        const std::array<int, 3> shift{kx, ky, kz};
+        bool reaches = true;
+        for (int a = 0; a < 3; ++a) {
+          const auto s = static_cast<std::size_t>(a);
+          const double length = grid_.position[s].back();
+          image.center[a] += shift[s] * length;
+          reaches = reaches && image.center[a] + image.radius + reach_ > 0.0 &&
+                    image.center[a] - image.radius - reach_ < length;
+        }
+        if (reaches) {
+          images_.push_back(image);
         }
       }
     }
-    ++sphere_count_;
+  }
+  ++sphere_count_;
+}
+
+void WallRows::add(const std::vector<Sphere>& spheres) {
+  const std::size_t first = images_.size();
+  for (const Sphere& sphere : spheres) {
+    add_images(sphere);
   }
   if (first == images_.size()) {
     return;
@@ -347,6 +352,8 @@ bool WallRows::away(int component, const std::array<int, 3>& at) const {
          kNone;
 }
 
+// One row from beginning to end, in numbered steps.
+// NOLINTNEXTLINE(readability-function-size)
 void WallRows::make_row(int component, const std::array<int, 3>& at) {
   const std::size_t q = grid_.index(at[0], at[1], at[2]);
   const int t1 = (component + 1) % 3;
@@ -467,7 +474,7 @@ void WallRows::make_cells(const IndexBox& box) {
         double sum = 0.0;
         for (int a = 0; a < 3; ++a) {
           const auto s = static_cast<std::size_t>(a);
-          const auto lower = static_cast<std::size_t>(at[s] + 1);
+          const auto lower = static_cast<std::size_t>(at[s]) + 1;
           const auto& gradient = axes_[s].gradient;
           const std::size_t up = q + static_cast<std::size_t>(grid_.stride(a));
           sum += static_cast<double>(axes_[s].divergence[lower]) *

@@ -98,6 +98,7 @@ class WallRows {
                           NearSurfaces& found) const;
 
   IndexBox reach_of(const Image& image, int component) const;
+  void add_images(const Sphere& sphere);
   void collect(std::int32_t image, int component);
   void make_rows(const IndexBox& box, int component);
   void make_stale_rows(const IndexBox& box, int component);
