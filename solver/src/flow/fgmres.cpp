@@ -51,13 +51,6 @@ class Rotations {
   std::vector<double> cosine_, sine_, rhs_;
 };
 
-template <class Real>
-void fill_halos(const Grid& grid, StokesVector<Real>& x) {
-  for (int c = 0; c < 4; ++c) {
-    fill_halo(grid, x[c]);
-  }
-}
-
 }  // namespace
 
 void true_residual(const WallRows& rows, const LevelView& level, StokesVector<double>& x,

@@ -6,11 +6,6 @@ namespace colloid {
 
 namespace {
 
-std::size_t row_begin(const LevelView& m, int j, int k) {
-  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(m.origin) + j * m.stride_y +
-                                  k * m.stride_z);
-}
-
 // Whole blocks; written so that the compiler sees the multiple.
 std::size_t row_length(const LevelView& m) {
   return static_cast<std::size_t>(m.blocks) * static_cast<std::size_t>(kBlock);
@@ -31,7 +26,7 @@ PORECLOG_CLONES void balance_plane(const LevelView& m, const StokesVector<In>& u
   const Out d = static_cast<Out>(m.diagonal);
   const auto kk = static_cast<std::size_t>(k) + 1;
   for (int j = 0; j < m.end[1]; ++j) {
-    const std::size_t q = row_begin(m, j, k);
+    const std::size_t q = m.row(j, k);
     const auto jj = static_cast<std::size_t>(j) + 1;
     const In* __restrict p = u[pressure] + q;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -114,7 +109,7 @@ PORECLOG_CLONES void schur_start_plane(const LevelView& m, const StokesVector<fl
   const std::size_t n = row_length(m);
   const float inverse = static_cast<float>(1.0 / m.diagonal);
   for (int j = 0; j < m.end[1]; ++j) {
-    const std::size_t at = row_begin(m, j, k);
+    const std::size_t at = m.row(j, k);
     const float* __restrict rx = r[u_x] + at;
     const float* __restrict ry = r[u_y] + at;
     const float* __restrict rz = r[u_z] + at;
@@ -144,7 +139,7 @@ PORECLOG_CLONES void schur_step_plane(const LevelView& m, const float* b, float 
   const float inverse = static_cast<float>(1.0 / m.diagonal);
   const auto kk = static_cast<std::size_t>(k) + 1;
   for (int j = 0; j < m.end[1]; ++j) {
-    const std::size_t at = row_begin(m, j, k);
+    const std::size_t at = m.row(j, k);
     const auto jj = static_cast<std::size_t>(j) + 1;
     const float* __restrict old = q + at;
     const float* __restrict rhs = b + at;
@@ -185,7 +180,7 @@ PORECLOG_CLONES void correct_plane(const LevelView& m, const StokesVector<float>
   const float keep = from_zero ? 0.0F : 1.0F;
   const std::array<std::ptrdiff_t, 3> stride{1, m.stride_y, m.stride_z};
   for (int j = 0; j < m.end[1]; ++j) {
-    const std::size_t at = row_begin(m, j, k);
+    const std::size_t at = m.row(j, k);
     const float* __restrict here = q + at;
     for (std::size_t c = 0; c < 3; ++c) {
       const float* __restrict below = here - stride[c];
@@ -222,7 +217,7 @@ PORECLOG_CLONES double dot_plane(const LevelView& m, const StokesVector<A>& a,
   const std::size_t n = static_cast<std::size_t>(m.end[0]);  // no halos in sums
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
-      const std::size_t at = row_begin(m, j, k);
+      const std::size_t at = m.row(j, k);
       const A* __restrict x = a[c] + at;
       const B* __restrict y = b[c] + at;
       std::size_t i = 0;
@@ -250,7 +245,7 @@ PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const StokesVector
   const std::size_t n = row_length(m);
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
-      const std::size_t at = row_begin(m, j, k);
+      const std::size_t at = m.row(j, k);
       const X* __restrict in = x[c] + at;
       Y* __restrict out = y[c] + at;
 #pragma GCC ivdep
@@ -269,7 +264,7 @@ PORECLOG_CLONES void scaled_copy_plane(const LevelView& m, double s,
   const std::size_t n = row_length(m);
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
-      const std::size_t at = row_begin(m, j, k);
+      const std::size_t at = m.row(j, k);
       const X* __restrict in = x[c] + at;
       Y* __restrict out = y[c] + at;
 #pragma GCC ivdep

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "flow/halo.h"
 #include "flow/wall_rows.h"
 
 namespace colloid {
@@ -45,7 +46,21 @@ struct LevelView {
   std::ptrdiff_t stride_z = 0;
   std::size_t origin = 0;
   double diagonal = 0.0;
+
+  /// Where the row (j, k) begins: index(0, j, k).
+  std::size_t row(int j, int k) const {
+    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(origin) + j * stride_y +
+                                    k * stride_z);
+  }
 };
+
+/// Halos of all four unknowns.
+template <class Real>
+void fill_halos(const Grid& grid, StokesVector<Real>& x) {
+  for (int c = 0; c < 4; ++c) {
+    fill_halo(grid, x[c]);
+  }
+}
 
 LevelView view(const WallRows& rows);
 

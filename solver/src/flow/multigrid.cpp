@@ -17,12 +17,6 @@ constexpr int kCoarsest = 4;
 // strongly stretched cells first become cubes.
 constexpr double kStretch = 1.5;
 
-void fill_halos(const Grid& grid, StokesVector<float>& x) {
-  for (int c = 0; c < 4; ++c) {
-    fill_halo(grid, x[c]);
-  }
-}
-
 bool axes_to_coarsen(const Grid& grid, std::array<bool, 3>& along) {
   double narrowest = 1e300;
   for (std::size_t a = 0; a < 3; ++a) {

@@ -165,11 +165,6 @@ const LineTransfer& line(const LevelTransfer& t, int component, int axis) {
   return component == axis ? t.face[at(axis)] : t.centre[at(axis)];
 }
 
-std::size_t row_begin(const LevelView& m, int j, int k) {
-  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(m.origin) + j * m.stride_y +
-                                  k * m.stride_z);
-}
-
 const float* openness(const LevelView& m, int component) {
   return component == pressure ? m.cell_scale : m.row_scale[at(component)];
 }
@@ -261,14 +256,14 @@ void restrict_plane(const LevelTransfer& t, const LevelView& fine,
           if (weight != 0.0F) {
             add_row(weight,
                     r_fine[c] +
-                        row_begin(fine, y.first[at(J)] + static_cast<int>(a),
-                                  z.first[at(K)] + static_cast<int>(b)) -
+                        fine.row(y.first[at(J)] + static_cast<int>(a),
+                                 z.first[at(K)] + static_cast<int>(b)) -
                         1,
                     sum.data(), length);
           }
         }
       }
-      const std::size_t q = row_begin(coarse, J, K);
+      const std::size_t q = coarse.row(J, K);
       float* out = f_coarse[c] + q;
       const float* open = openness(coarse, c) + q;
       const std::size_t count = std::min(x.first.size(), at(coarse.end[0]));
@@ -306,12 +301,12 @@ void prolong_plane(const LevelTransfer& t, const LevelView& fine, const LevelVie
         for (std::size_t a = 0; a < 2; ++a) {
           const float weight = wk[b] * wj[a];
           if (weight != 0.0F) {
-            add_row(weight, u_coarse[c] + row_begin(coarse, jj[a], kk[b]) - 1, sum.data(),
+            add_row(weight, u_coarse[c] + coarse.row(jj[a], kk[b]) - 1, sum.data(),
                     length);
           }
         }
       }
-      const std::size_t q = row_begin(fine, j, k);
+      const std::size_t q = fine.row(j, k);
       float* out = u_fine[c] + q;
       const float* open = openness(fine, c) + q;
       if (x.coarsened) {
