@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/.."
 out=results/evidence/bench
 mkdir -p "$out"
-build/release/tests/bench/bench_stokes --benchmark_min_time=0.5 >"$out/stokes.txt"
+build/release/tests/bench/bench_stokes --benchmark_min_time=0.2 >"$out/stokes.txt"
 build/release/tests/bench/bench_critical_diameter >"$out/critical_diameter.txt"
 {
   cat <<'TEXT'

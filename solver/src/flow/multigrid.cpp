@@ -17,6 +17,10 @@ constexpr int kCoarsest = 4;
 // strongly stretched cells first become cubes.
 constexpr double kStretch = 1.5;
 
+// Cells longer than this are smoothed so badly that a second visit to the coarse levels
+// does harm; there the V-cycle converges.
+constexpr double kNeedle = 20.0;
+
 bool axes_to_coarsen(const Grid& grid, std::array<bool, 3>& along) {
   double narrowest = 1e300;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -38,6 +42,12 @@ Multigrid::Multigrid(const WallRows& finest, const FlowFaces& faces,
                      const std::vector<Sphere>& spheres, const CycleOptions& options,
                      int threads)
     : options_(options), threads_(threads) {
+  const auto& width = finest.grid().width;
+  const auto [narrow, wide] =
+      std::minmax({width[0].front(), width[1].front(), width[2].front()});
+  if (wide > kNeedle * narrow) {
+    options_.coarse_visits = 1;
+  }
   levels_.emplace_back();
   levels_.back().walls = &finest;
   std::array<bool, 3> along{};

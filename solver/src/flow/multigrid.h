@@ -54,9 +54,6 @@ class Multigrid {
 
   std::size_t level_count() const { return levels_.size(); }
 
-  /// 1: V-cycle, 2: W-cycle.
-  void set_coarse_visits(int visits) { options_.coarse_visits = visits; }
-
   /// One smoothing sweep on the finest level of u for the right-hand side f.
   void smooth(StokesVector<float>& u, const StokesVector<float>& f, bool from_zero,
               int sweep);

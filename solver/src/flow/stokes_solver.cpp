@@ -305,15 +305,7 @@ void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<doub
   const auto precondition = [&](const StokesVector<float>& r, StokesVector<float>& z) {
     multigrid_->apply(r, z);
   };
-  KrylovStatistics found = krylov_->solve(b, x, precondition, krylov);
-  if (!found.converged) {
-    // Needle-shaped cells (250 : 1) are smoothed so badly that a second visit to the
-    // coarse levels does harm; there the V-cycle converges.
-    multigrid_->set_coarse_visits(1);
-    const int before = found.iterations;
-    found = krylov_->solve(b, x, precondition, krylov);
-    found.iterations += before;
-  }
+  const KrylovStatistics found = krylov_->solve(b, x, precondition, krylov);
   const double cpu_seconds = cpu_now() - cpu_start;
   const double seconds = now() - start;
 
