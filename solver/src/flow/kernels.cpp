@@ -284,6 +284,5 @@ template double dot_plane(const LevelView&, const D&, const F&, int);
 template double dot_plane(const LevelView&, const D&, const D&, int);
 template void axpy_plane(const LevelView&, double, const F&, D&, int);
 template void scaled_copy_plane(const LevelView&, double, const D&, F&, int);
-template void scaled_copy_plane(const LevelView&, double, const F&, F&, int);
 
 }  // namespace colloid

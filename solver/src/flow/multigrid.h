@@ -52,8 +52,6 @@ class Multigrid {
   /// A sphere was added to the finest level: do the same to the others.
   void add(const std::vector<Sphere>& spheres);
 
-  std::size_t level_count() const { return levels_.size(); }
-
   /// One smoothing sweep on the finest level of u for the right-hand side f.
   void smooth(StokesVector<float>& u, const StokesVector<float>& f, bool from_zero,
               int sweep);
