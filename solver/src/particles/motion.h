@@ -1,0 +1,56 @@
+// What moves colloids, as the time loop sees it.
+#pragma once
+
+#include <vector>
+
+#include "particles/small_matrix.h"
+#include "particles/suspension.h"
+#include "particles/surfaces.h"
+
+namespace colloid {
+
+/// Two surfaces that touch and do not stick: they press on each other or part.
+struct Contact {
+  int body = -1;
+  int member = 0;
+  SurfaceId fixed;      ///< unless other_body >= 0
+  int other_body = -1;  ///< a mobile one
+  int other_member = 0;
+};
+
+/// Velocities at one state.
+struct Motion {
+  std::vector<Vec3> velocity;       ///< of each body's centre [m/s]
+  std::vector<Vec3> spin;           ///< [rad/s]
+  std::vector<double> contact_push; ///< normal force of each contact [N], >= 0
+};
+
+/// A force and a torque about the centre on every body.
+struct BodyWrench {
+  Vec3 force;   ///< [N]
+  Vec3 torque;  ///< [N m]
+};
+
+class MotionModel {
+ public:
+  MotionModel() = default;
+  MotionModel(const MotionModel&) = delete;
+  MotionModel& operator=(const MotionModel&) = delete;
+  virtual ~MotionModel() = default;
+
+  /// `extra`: wrenches besides those the model knows; empty: none.
+  virtual Motion motion(const std::vector<Body>& bodies,
+                        const std::vector<Contact>& contacts,
+                        const std::vector<BodyWrench>& extra) const = 0;
+
+  /// Thermal wrenches over a step [s], fluctuation balancing dissipation: covariance
+  /// 2 kT R / step.  `normals`: six independent normal draws per body.
+  virtual std::vector<BodyWrench> thermal_wrenches(
+      const std::vector<Body>& bodies, const std::vector<Vector6>& normals,
+      double temperature, double step) const = 0;
+
+  /// Wrench on each body if it were held where it is: what bonds have to carry.
+  virtual std::vector<BodyWrench> held_wrenches(const std::vector<Body>& bodies) const = 0;
+};
+
+}  // namespace colloid

@@ -1,0 +1,284 @@
+#include "particles/one_way_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.h"
+
+namespace colloid {
+
+namespace {
+
+// The six-vector [I 0; -[r]x / a ...]' that a wrench at arm r contributes to its body.
+Matrix6 shift_of(const Vec3& arm, double radius) {
+  // Motion of the member: U + w x r, so (U, aw) -> (U - [r/a]x aw, aw).
+  Matrix6 t = Matrix6::Identity();
+  t.topRightCorner<3, 3>() = -skew(eigen(arm) / radius);
+  return t;
+}
+
+struct Member {
+  int body;
+  int index;
+  Vec3 position;
+  AmbientMotion ambient;
+};
+
+std::vector<Member> members_of(const std::vector<Body>& bodies) {
+  std::vector<Member> members;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (std::size_t m = 0; m < bodies[b].size(); ++m) {
+      members.push_back(
+          {static_cast<int>(b), static_cast<int>(m), bodies[b].position(m), {}});
+    }
+  }
+  return members;
+}
+
+}  // namespace
+
+struct OneWayMotion::Assembly {
+  std::vector<Member> members;
+  std::vector<BodySystem> systems;
+  std::vector<PairTerm> pairs;
+};
+
+Vec3 bond_contact(const Body& body, const Bond& bond, const Box& box, double radius) {
+  const auto m = static_cast<std::size_t>(bond.member);
+  const Vec3 e = shortest(box, bond.anchor, body.position(m));
+  // Half of the gap is the colloid's.
+  const double lever = 0.5 * (bond.distance - 2.0 * radius) + radius;
+  return body.arms[m] + e * (lever / norm(e));
+}
+
+OneWayMotion::OneWayMotion(const OneWayOptions& options, const AmbientFlow& flow,
+                           const FixedSurfaces& surfaces,
+                           const std::vector<double>& grain_radii)
+    : options_(options),
+      drag_(6.0 * kPi * options.viscosity * options.radius),
+      flow_(flow),
+      surfaces_(surfaces) {
+  if (options.wall_hindrance) {
+    std::vector<double> radii = grain_radii;
+    radii.push_back(options.radius);  // retained colloids
+    wall_hindrance_ = std::make_unique<SurfaceHindrance>(options.radius, radii);
+  }
+  if (options.pair_hindrance) {
+    pair_hindrance_ = std::make_unique<EqualPairHindrance>();
+  }
+}
+
+double OneWayMotion::surface_force(const NearSurface& surface) const {
+  const SurfaceForces* forces = nullptr;
+  switch (surface.id.kind) {
+    case SurfaceId::Kind::grain:
+      forces = options_.grain_forces.get();
+      break;
+    case SurfaceId::Kind::colloid:
+      forces = options_.colloid_forces.get();
+      break;
+    default:
+      forces = options_.wall_forces.get();
+  }
+  if (forces == nullptr || !is_surface(surfaces_.box(), surface.id)) {
+    return 0.0;
+  }
+  const double least = contact_gap(options_.rules, surfaces_.box(), surface.id);
+  return forces->force(std::max(surface.distance - options_.radius, least));
+}
+
+// Mobile colloids of different bodies: squeezing and shearing flow between them.
+void OneWayMotion::add_pairs(const std::vector<Body>& bodies, Assembly& out) const {
+  const double a = options_.radius;
+  std::vector<Member>& members = out.members;
+  std::vector<Vec3> change(members.size());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    for (std::size_t j = i + 1; j < members.size(); ++j) {
+      if (members[i].body == members[j].body) {
+        continue;
+      }
+      const Vec3 e = shortest(surfaces_.box(), members[i].position, members[j].position);
+      const double r = norm(e);
+      const double gap = std::max(r - 2.0 * a, options_.rules.colloid_gap);
+      if (gap >= kHindranceReach * a) {
+        continue;
+      }
+      const PairHindrance pair = pair_hindrance_->at(gap / a);
+      const Vec3 n = e * (1.0 / r);
+      const Vec3 v = members[i].ambient.velocity - members[j].ambient.velocity;
+      const Vec3 turn = 0.5 * (members[i].ambient.spin + members[j].ambient.spin);
+      const Vec3 strain = v - cross(turn, e);
+      const Vec3 across = strain - n * dot(strain, n);
+      change[i] -= 0.5 * pair.shear * across;
+      change[j] += 0.5 * pair.shear * across;
+
+      PairTerm term;
+      term.first = members[i].body;
+      term.second = members[j].body;
+      const auto row = [&](const Member& member, double sign) {
+        const Vec3& arm = bodies[static_cast<std::size_t>(member.body)]
+                              .arms[static_cast<std::size_t>(member.index)];
+        Vector6 six;
+        six << sign * eigen(n), sign * eigen(cross(arm, n)) / a;
+        return six;
+      };
+      term.row_first = row(members[i], 1.0);
+      term.row_second = row(members[j], -1.0);
+      term.strength = 0.5 * pair.squeeze;
+      term.drive = 0.5 * pair.drive * dot(v, n);
+      if (options_.colloid_forces) {
+        term.drive += options_.colloid_forces->force(gap) / drag_;
+      }
+      out.pairs.push_back(term);
+    }
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    members[i].ambient.velocity += change[i];
+  }
+}
+
+void OneWayMotion::add_surfaces(const std::vector<Body>& bodies, Assembly& out) const {
+  const double a = options_.radius;
+  const Box& box = surfaces_.box();
+  std::vector<NearSurface> near;
+  for (const Member& member : out.members) {
+    const auto b = static_cast<std::size_t>(member.body);
+    HeldColloid held = isolated(member.ambient, a);
+    held.drive.head<3>() += eigen(options_.weight) / drag_;
+    const bool forces = options_.grain_forces || options_.wall_forces ||
+                        options_.colloid_forces;
+    if (wall_hindrance_ || forces) {
+      surfaces_.near(member.position, near);
+      for (const NearSurface& surface : near) {
+        if (!is_surface(box, surface.id)) {
+          continue;
+        }
+        if (wall_hindrance_) {
+          wall_hindrance_->add(surface, contact_gap(options_.rules, box, surface.id),
+                               member.ambient, held);
+        }
+        if (forces) {
+          held.drive.head<3>() += eigen(surface.normal) * surface_force(surface) / drag_;
+        }
+      }
+    }
+    BodySystem& system = out.systems[b];
+    if (bodies[b].size() == 1) {
+      system.resistance += held.resistance;
+      system.drive += held.drive;
+    } else {
+      const Matrix6 t =
+          shift_of(bodies[b].arms[static_cast<std::size_t>(member.index)], a);
+      system.resistance += t.transpose() * held.resistance * t;
+      system.drive += t.transpose() * held.drive;
+    }
+  }
+}
+
+OneWayMotion::Assembly OneWayMotion::assemble(const std::vector<Body>& bodies) const {
+  Assembly out;
+  out.members = members_of(bodies);
+  out.systems.resize(bodies.size());
+  for (Member& member : out.members) {
+    member.ambient = flow_.around(member.position, options_.radius);
+  }
+  if (pair_hindrance_) {
+    add_pairs(bodies, out);
+  }
+  add_surfaces(bodies, out);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].bonds.empty()) {
+      continue;
+    }
+    std::vector<Vector3> points;
+    for (const Bond& bond : bodies[b].bonds) {
+      points.push_back(
+          eigen(bond_contact(bodies[b], bond, surfaces_.box(), options_.radius)) /
+          options_.radius);
+    }
+    out.systems[b].freedom = motions_at_rest(points);
+  }
+  return out;
+}
+
+ContactRow OneWayMotion::contact_row(const std::vector<Body>& bodies,
+                                     const Contact& contact) const {
+  const auto b = static_cast<std::size_t>(contact.body);
+  const auto m = static_cast<std::size_t>(contact.member);
+  const Vec3 x = bodies[b].position(m);
+  Vec3 n;
+  ContactRow row;
+  row.first = contact.body;
+  if (contact.other_body >= 0) {
+    const auto other = static_cast<std::size_t>(contact.other_body);
+    const auto other_m = static_cast<std::size_t>(contact.other_member);
+    const Vec3 e = shortest(surfaces_.box(), x, bodies[other].position(other_m));
+    n = e * (1.0 / norm(e));
+    row.second = contact.other_body;
+    row.row_second << -eigen(n),
+        -eigen(cross(bodies[other].arms[other_m], n)) / options_.radius;
+  } else {
+    std::vector<NearSurface> near;
+    surfaces_.near(x, near);
+    for (const NearSurface& surface : near) {
+      if (surface.id == contact.fixed) {
+        n = surface.normal;
+      }
+    }
+  }
+  row.row_first << eigen(n), eigen(cross(bodies[b].arms[m], n)) / options_.radius;
+  return row;
+}
+
+Motion OneWayMotion::motion(const std::vector<Body>& bodies,
+                            const std::vector<Contact>& contacts,
+                            const std::vector<BodyWrench>& extra) const {
+  Assembly assembly = assemble(bodies);
+  for (std::size_t b = 0; b < extra.size(); ++b) {
+    assembly.systems[b].drive.head<3>() += eigen(extra[b].force) / drag_;
+    assembly.systems[b].drive.tail<3>() +=
+        eigen(extra[b].torque) / (drag_ * options_.radius);
+  }
+  std::vector<ContactRow> rows;
+  rows.reserve(contacts.size());
+  for (const Contact& contact : contacts) {
+    rows.push_back(contact_row(bodies, contact));
+  }
+  const BodyMotions solved = solve_motion(assembly.systems, assembly.pairs, rows);
+  Motion out;
+  for (const Vector6& motion : solved.motion) {
+    out.velocity.push_back(plain(motion.head<3>()));
+    out.spin.push_back(plain(motion.tail<3>()) * (1.0 / options_.radius));
+  }
+  for (double push : solved.contact_force) {
+    out.contact_push.push_back(push * drag_);
+  }
+  return out;
+}
+
+std::vector<BodyWrench> OneWayMotion::thermal_wrenches(
+    const std::vector<Body>& bodies, const std::vector<Vector6>& normals,
+    double temperature, double step) const {
+  const Assembly assembly = assemble(bodies);
+  // <F F'> = 2 kT (6 pi mu a R) / step, F = 6 pi mu a f.
+  const double scale = std::sqrt(2.0 * kBoltzmann * temperature * drag_ / step);
+  std::vector<BodyWrench> out;
+  for (const Vector6& w :
+       correlated_wrenches(assembly.systems, assembly.pairs, normals)) {
+    out.push_back({plain(w.head<3>()) * scale,
+                   plain(w.tail<3>()) * (scale * options_.radius)});
+  }
+  return out;
+}
+
+std::vector<BodyWrench> OneWayMotion::held_wrenches(
+    const std::vector<Body>& bodies) const {
+  std::vector<BodyWrench> out;
+  for (const BodySystem& system : assemble(bodies).systems) {
+    out.push_back({plain(system.drive.head<3>()) * drag_,
+                   plain(system.drive.tail<3>()) * (drag_ * options_.radius)});
+  }
+  return out;
+}
+
+}  // namespace colloid

@@ -1,0 +1,61 @@
+// Motion of colloids that the flow carries but that do not act on it.       MODEL (P1)-(P7)
+#pragma once
+
+#include <memory>
+
+#include "particles/ambient_flow.h"
+#include "particles/body_motion.h"
+#include "particles/contact_rules.h"
+#include "particles/hindrance.h"
+#include "particles/motion.h"
+#include "physics/surface_pair.h"
+
+namespace colloid {
+
+struct OneWayOptions {
+  double radius = 0.0;         ///< a of every colloid [m]
+  double viscosity = 0.0;      ///< mu [Pa s]
+  Vec3 weight;                 ///< gravity less buoyancy on one colloid [N]
+  bool wall_hindrance = true;  ///< by grains, retained colloids and walls
+  bool pair_hindrance = true;  ///< between mobile colloids
+  ContactRules rules;
+  // Surface forces beyond the gap of contact; null: too short in range to matter.
+  std::shared_ptr<const SurfaceForces> grain_forces;
+  std::shared_ptr<const SurfaceForces> wall_forces;
+  std::shared_ptr<const SurfaceForces> colloid_forces;
+};
+
+class OneWayMotion : public MotionModel {
+ public:
+  /// Keeps references to `flow` and `surfaces`, which may grow.  `grain_radii` [m].
+  OneWayMotion(const OneWayOptions& options, const AmbientFlow& flow,
+               const FixedSurfaces& surfaces, const std::vector<double>& grain_radii);
+
+  Motion motion(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+                const std::vector<BodyWrench>& extra) const override;
+  std::vector<BodyWrench> thermal_wrenches(const std::vector<Body>& bodies,
+                                           const std::vector<Vector6>& normals,
+                                           double temperature,
+                                           double step) const override;
+  std::vector<BodyWrench> held_wrenches(const std::vector<Body>& bodies) const override;
+
+ private:
+  struct Assembly;
+  Assembly assemble(const std::vector<Body>& bodies) const;
+  void add_pairs(const std::vector<Body>& bodies, Assembly& out) const;
+  void add_surfaces(const std::vector<Body>& bodies, Assembly& out) const;
+  ContactRow contact_row(const std::vector<Body>& bodies, const Contact& contact) const;
+  double surface_force(const NearSurface& surface) const;
+
+  OneWayOptions options_;
+  double drag_;  ///< 6 pi mu a [N s/m]
+  const AmbientFlow& flow_;
+  const FixedSurfaces& surfaces_;
+  std::unique_ptr<SurfaceHindrance> wall_hindrance_;
+  std::unique_ptr<EqualPairHindrance> pair_hindrance_;
+};
+
+/// Where the contact of a bond is, from the body's centre [m].
+Vec3 bond_contact(const Body& body, const Bond& bond, const Box& box, double radius);
+
+}  // namespace colloid

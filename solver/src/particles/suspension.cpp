@@ -1,0 +1,64 @@
+#include "particles/suspension.h"
+
+#include <cmath>
+
+namespace colloid {
+
+Body single(const MobileColloid& colloid, const Vec3& position) {
+  Body body;
+  body.members = {colloid};
+  body.centre = position;
+  body.arms = {Vec3{}};
+  return body;
+}
+
+Body joined(const Body& a, const Body& b, const Vec3& shift) {
+  Body body;
+  body.members = a.members;
+  body.members.insert(body.members.end(), b.members.begin(), b.members.end());
+  const double weight = 1.0 / static_cast<double>(body.size());
+  Vec3 sum;
+  std::vector<Vec3> positions;
+  positions.reserve(body.size());
+  for (std::size_t m = 0; m < a.size(); ++m) {
+    positions.push_back(a.position(m));
+  }
+  for (std::size_t m = 0; m < b.size(); ++m) {
+    positions.push_back(b.position(m) + shift);
+  }
+  for (const Vec3& x : positions) {
+    sum += x;
+  }
+  body.centre = sum * weight;
+  for (const Vec3& x : positions) {
+    body.arms.push_back(x - body.centre);
+  }
+  body.bonds = a.bonds;
+  for (Bond bond : b.bonds) {
+    bond.member += static_cast<int>(a.size());
+    bond.anchor += shift;
+    body.bonds.push_back(bond);
+  }
+  return body;
+}
+
+Vec3 turned(const Vec3& v, const Vec3& turn) {
+  const double angle = norm(turn);
+  if (angle == 0.0) {
+    return v;
+  }
+  const Vec3 axis = turn * (1.0 / angle);
+  // 1 - cos = 2 sin^2(angle/2) keeps its digits for small angles.
+  const double half = std::sin(0.5 * angle);
+  return v + std::sin(angle) * cross(axis, v) +
+         2.0 * half * half * cross(axis, cross(axis, v));
+}
+
+void displace(Body& body, const Vec3& step, const Vec3& turn) {
+  body.centre += step;
+  for (Vec3& arm : body.arms) {
+    arm = turned(arm, turn);
+  }
+}
+
+}  // namespace colloid
