@@ -9,6 +9,14 @@
 //     T_y = +8 pi mu a^2 U_x t_t - 8 pi mu a^3 omega_y t_r + 4 pi mu a^3 S t_s
 //     T_z = -8 pi mu a^3 omega_z t_n
 //
+// and, held in the stagnation flow u_z = -A z^2, u_r = A r z at the height H = a + h,
+//
+//     F_z = -6 pi mu a A (H^2 + a^2/3) f_e
+//
+// where A (H^2 + a^2/3) is its Faxen velocity u + (a^2/6) lap u.  (Goren & O'Neill, 1971,
+// relate the force to u = A H^2 alone: their factor is f_e (1 + x^2/3), x = a/H, 3.23 at
+// contact.)
+//
 // so every factor is 1 in the bulk except the coupling t_t, which vanishes there.  (In
 // the notation of Goldman, Cox & Brenner, 1967: f_t = -F_t*, t_t = T_t* = 3/4 F_r*, t_r =
 // -T_r*, f_s = F_s*, t_s = T_s*.)
@@ -30,6 +38,7 @@ struct WallResistance {
   double f_s = 1.0;  ///< force of a shear flow
   double t_s = 1.0;  ///< torque of a shear flow
   double t_n = 1.0;  ///< torque of rotation about the normal
+  double f_e = 1.0;  ///< force of a stagnation flow, over Faxen's
 };
 
 /// `gap_over_radius` = h/a > 0; infinity gives the bulk.  About 45 ns.

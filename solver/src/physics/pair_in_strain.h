@@ -1,0 +1,38 @@
+// Relative motion of two equal spheres, free of force and torque, in a linear flow.
+//
+// Centres r = r n apart, radius a, s = r/a, xi = s - 2; ambient flow omega x x + E.x.
+// Batchelor & Green (1972), J. Fluid Mech. 56, 375, MODEL (R11):
+//
+//     V = omega x r + E.r - [ A nn + B (I - nn) ].E.r
+//
+// Both vanish far away: A ~ 5/s^3 - 8/s^5 + 25/s^6, B ~ 16/(3 s^5); at contact A ~ 1 -
+// 4.077 xi and B ~ 0.406 - 0.78/ln(1/xi).
+#pragma once
+
+#include <array>
+
+#include "physics/pair_resistance.h"
+
+namespace colloid {
+
+struct StrainHindrance {
+  double a = 0.0;  ///< A, of the motion along the line of centres
+  double b = 0.0;  ///< B, of the motion across it
+};
+
+class PairInStrain {
+ public:
+  PairInStrain();
+
+  /// `gap` = xi > 0, in radii; infinity gives 0.
+  StrainHindrance at(double gap) const;
+
+  static constexpr int kDegree = 40;
+
+ private:
+  TwoSphereResistance resistance_;
+  // Force along, force across and torque on a sphere held in the strain, in 2u - 1.
+  std::array<std::array<double, 3>, kDegree + 1> chebyshev_{};
+};
+
+}  // namespace colloid
