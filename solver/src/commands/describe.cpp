@@ -6,8 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "commands/injection_list.h"
 #include "commands/regime_json.h"
 #include "commands/scene_regime.h"
+#include "core/error.h"
+#include "core/random.h"
 #include "core/text.h"
 #include "scene/field_lister.h"
 #include "scene/read_scene.h"
@@ -96,11 +99,18 @@ class Describe : public Command {
     what->add_option("--regime", regime_,
                      "Print the dimensionless numbers of this scene, and the models they "
                      "call for");
+    what->add_option("--injections", injections_,
+                     "Print the colloids that enter this scene within its duration");
     what->require_option(0, 1);
+    app.add_option("--seed", seed_, "Of the injections: 0 to 2^64 - 1");
   }
 
   int run() const override {
-    if (regime_) {
+    require(injections_ || !seed_, "--seed", "goes with --injections SCENE only");
+    if (injections_) {
+      require(seed_.has_value(), "--seed", "is missing: --injections needs one");
+      print_injections(parse_seed(*seed_, "--seed"));
+    } else if (regime_) {
       const Regime regime = scene_regime(*regime_);
       const nlohmann::ordered_json document{{"schema_version", kSchemaVersion},
                                             {"regime", regime_json(regime)}};
@@ -116,9 +126,18 @@ class Describe : public Command {
   }
 
  private:
+  void print_injections(std::uint64_t seed) const {
+    const InjectionList list = list_injections(*injections_, seed);
+    nlohmann::ordered_json document{{"schema_version", kSchemaVersion}};
+    document.update(injections_json(list));
+    std::cout << (json_ ? document.dump(2) + "\n" : injections_table(list));
+  }
+
   bool json_ = false;
   std::optional<std::string> scene_;
   std::optional<std::string> regime_;
+  std::optional<std::string> injections_;
+  std::optional<std::string> seed_;
 };
 
 }  // namespace

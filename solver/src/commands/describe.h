@@ -1,5 +1,5 @@
 // `poreclog-solve describe`: the keys of a scene, with units, ranges and defaults; the
-// regime of one scene.
+// regime of one scene; the colloids that enter it.
 #pragma once
 
 #include <memory>

@@ -27,7 +27,7 @@ struct Words<ReleaseVelocity> {
   static constexpr std::array kValue{"local", "inlet"};
 };
 template <>
-struct Words<InjectionSequence> {
+struct Words<InjectionOrder> {
   static constexpr std::array kValue{"poisson"};
 };
 template <>

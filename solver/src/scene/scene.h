@@ -59,11 +59,11 @@ struct Drive {
 /// The velocity at which a colloid enters: that of the fluid there, or the inlet's mean.
 enum class ReleaseVelocity { local, inlet };
 /// The order of injections in injected volume.
-enum class InjectionSequence { poisson };
+enum class InjectionOrder { poisson };
 
 struct Injection {
   ReleaseVelocity release_velocity = ReleaseVelocity::local;
-  InjectionSequence sequence = InjectionSequence::poisson;
+  InjectionOrder sequence = InjectionOrder::poisson;
 };
 
 struct Colloids {
