@@ -240,6 +240,29 @@ void solve_group(const std::vector<BodySystem>& bodies,
   }
 }
 
+// What is left of the balance of a bonded body is carried by its bonds.
+void find_bond_wrenches(const std::vector<BodySystem>& bodies,
+                        const std::vector<PairTerm>& pairs,
+                        const std::vector<ContactRow>& contacts, BodyMotions& out) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    out.bond_wrench[b] = bodies[b].resistance * out.motion[b] - bodies[b].drive;
+  }
+  for (const PairTerm& p : pairs) {
+    const double approach = p.row_first.dot(out.motion[z(p.first)]) +
+                            p.row_second.dot(out.motion[z(p.second)]);
+    const double force = p.strength * approach - p.drive;
+    out.bond_wrench[z(p.first)] += force * p.row_first;
+    out.bond_wrench[z(p.second)] += force * p.row_second;
+  }
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const ContactRow& row = contacts[c];
+    out.bond_wrench[z(row.first)] -= out.contact_force[c] * row.row_first;
+    if (row.second >= 0) {
+      out.bond_wrench[z(row.second)] -= out.contact_force[c] * row.row_second;
+    }
+  }
+}
+
 Matrix rows_at_rest(const std::vector<Vector3>& contacts) {
   Matrix rows(3 * static_cast<Eigen::Index>(contacts.size()), 6);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -258,9 +281,11 @@ BodyMotions solve_motion(const std::vector<BodySystem>& bodies,
   BodyMotions out;
   out.motion.assign(bodies.size(), Vector6::Zero());
   out.contact_force.assign(contacts.size(), 0.0);
+  out.bond_wrench.assign(bodies.size(), Vector6::Zero());
   for (const Group& group : find_groups(bodies.size(), pairs, contacts)) {
     solve_group(bodies, pairs, contacts, group, out);
   }
+  find_bond_wrenches(bodies, pairs, contacts, out);
   for (const Vector6& motion : out.motion) {
     if (!motion.allFinite()) {
       throw ConvergenceError("velocity of a colloid: not a finite number");

@@ -42,7 +42,8 @@ struct ContactRow {
 
 struct BodyMotions {
   std::vector<Vector6> motion;          ///< per body (U, a w)
-  std::vector<double> contact_force;    ///< nu per contact row, over 6 pi mu a [m/s]
+  std::vector<double> contact_force;    ///< nu per contact row
+  std::vector<Vector6> bond_wrench;     ///< J' lambda per body
 };
 
 /// Solves group by group: bodies that no pair term or contact joins do not feel each

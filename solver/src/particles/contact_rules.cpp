@@ -39,12 +39,11 @@ double attaching_push(const ContactRules& rules, const Box& box, const SurfaceId
   constexpr double kNever = std::numeric_limits<double>::infinity();
   switch (id.kind) {
     case SurfaceId::Kind::grain:
-      return rules.grains_attach ? 0.0 : rules.grain_repulsion;
+      return rules.grain_repulsion;
     case SurfaceId::Kind::colloid:
       return kNever;
     default:
-      // Inert walls hold nothing; adhesive ones with a barrier do if it is overcome.
-      return rules.walls_attach || !is_surface(box, id) ? kNever : rules.wall_repulsion;
+      return is_surface(box, id) ? rules.wall_repulsion : kNever;
   }
 }
 

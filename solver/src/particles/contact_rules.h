@@ -1,6 +1,8 @@
 // When surfaces count as touching, and what follows.                       MODEL (P8)-(P10)
 #pragma once
 
+#include <limits>
+
 #include "core/box.h"
 #include "particles/surfaces.h"
 
@@ -17,8 +19,9 @@ struct ContactRules {
   bool walls_attach = false;      ///< adhesive side walls
   bool colloids_attach = true;    ///< two colloids bond when they touch
   bool aggregates = true;         ///< also if both are mobile
-  double grain_repulsion = 0.0;   ///< push that forces an attachment all the same [N]
-  double wall_repulsion = 0.0;    ///< [N]
+  // Push that makes a colloid stick where touching alone does not [N]; infinite: none.
+  double grain_repulsion = std::numeric_limits<double>::infinity();
+  double wall_repulsion = std::numeric_limits<double>::infinity();
 };
 
 /// Relative to the gap: where a surface counts as touching, and how well the moment of

@@ -18,17 +18,18 @@ struct Contact {
   int other_member = 0;
 };
 
+/// A force and a torque about the centre on a body.
+struct BodyWrench {
+  Vec3 force;   ///< [N]
+  Vec3 torque;  ///< [N m]
+};
+
 /// Velocities at one state.
 struct Motion {
   std::vector<Vec3> velocity;       ///< of each body's centre [m/s]
   std::vector<Vec3> spin;           ///< [rad/s]
-  std::vector<double> contact_push; ///< normal force of each contact [N], >= 0
-};
-
-/// A force and a torque about the centre on every body.
-struct BodyWrench {
-  Vec3 force;   ///< [N]
-  Vec3 torque;  ///< [N m]
+  std::vector<double> contact_push;     ///< normal force of each contact [N], >= 0
+  std::vector<BodyWrench> bond_wrench;  ///< of all its bonds on each body
 };
 
 class MotionModel {

@@ -9,12 +9,15 @@ namespace colloid {
 
 namespace {
 
-// The six-vector [I 0; -[r]x / a ...]' that a wrench at arm r contributes to its body.
 Matrix6 shift_of(const Vec3& arm, double radius) {
   // Motion of the member: U + w x r, so (U, aw) -> (U - [r/a]x aw, aw).
   Matrix6 t = Matrix6::Identity();
   t.topRightCorner<3, 3>() = -skew(eigen(arm) / radius);
   return t;
+}
+
+BodyWrench from_wrench(const Vector6& six, double scale, double radius) {
+  return {plain(six.head<3>()) * scale, plain(six.tail<3>()) * (scale * radius)};
 }
 
 struct Member {
@@ -253,6 +256,9 @@ Motion OneWayMotion::motion(const std::vector<Body>& bodies,
   for (double push : solved.contact_force) {
     out.contact_push.push_back(push * drag_);
   }
+  for (const Vector6& wrench : solved.bond_wrench) {
+    out.bond_wrench.push_back(from_wrench(wrench, drag_, options_.radius));
+  }
   return out;
 }
 
@@ -265,8 +271,7 @@ std::vector<BodyWrench> OneWayMotion::thermal_wrenches(
   std::vector<BodyWrench> out;
   for (const Vector6& w :
        correlated_wrenches(assembly.systems, assembly.pairs, normals)) {
-    out.push_back({plain(w.head<3>()) * scale,
-                   plain(w.tail<3>()) * (scale * options_.radius)});
+    out.push_back(from_wrench(w, scale, options_.radius));
   }
   return out;
 }
@@ -275,8 +280,7 @@ std::vector<BodyWrench> OneWayMotion::held_wrenches(
     const std::vector<Body>& bodies) const {
   std::vector<BodyWrench> out;
   for (const BodySystem& system : assemble(bodies).systems) {
-    out.push_back({plain(system.drive.head<3>()) * drag_,
-                   plain(system.drive.tail<3>()) * (drag_ * options_.radius)});
+    out.push_back(from_wrench(system.drive, drag_, options_.radius));
   }
   return out;
 }

@@ -12,12 +12,27 @@ Body single(const MobileColloid& colloid, const Vec3& position) {
   return body;
 }
 
+namespace {
+
+// Centre and arms for members at these places.
+void place(Body& body, const std::vector<Vec3>& positions) {
+  Vec3 sum;
+  for (const Vec3& x : positions) {
+    sum += x;
+  }
+  body.centre = sum * (1.0 / static_cast<double>(positions.size()));
+  body.arms.clear();
+  for (const Vec3& x : positions) {
+    body.arms.push_back(x - body.centre);
+  }
+}
+
+}  // namespace
+
 Body joined(const Body& a, const Body& b, const Vec3& shift) {
   Body body;
   body.members = a.members;
   body.members.insert(body.members.end(), b.members.begin(), b.members.end());
-  const double weight = 1.0 / static_cast<double>(body.size());
-  Vec3 sum;
   std::vector<Vec3> positions;
   positions.reserve(body.size());
   for (std::size_t m = 0; m < a.size(); ++m) {
@@ -26,13 +41,7 @@ Body joined(const Body& a, const Body& b, const Vec3& shift) {
   for (std::size_t m = 0; m < b.size(); ++m) {
     positions.push_back(b.position(m) + shift);
   }
-  for (const Vec3& x : positions) {
-    sum += x;
-  }
-  body.centre = sum * weight;
-  for (const Vec3& x : positions) {
-    body.arms.push_back(x - body.centre);
-  }
+  place(body, positions);
   body.bonds = a.bonds;
   for (Bond bond : b.bonds) {
     bond.member += static_cast<int>(a.size());
@@ -40,6 +49,25 @@ Body joined(const Body& a, const Body& b, const Vec3& shift) {
     body.bonds.push_back(bond);
   }
   return body;
+}
+
+Body without(const Body& body, std::size_t member) {
+  Body rest;
+  std::vector<Vec3> positions;
+  for (std::size_t m = 0; m < body.size(); ++m) {
+    if (m != member) {
+      rest.members.push_back(body.members[m]);
+      positions.push_back(body.position(m));
+    }
+  }
+  place(rest, positions);
+  for (Bond bond : body.bonds) {
+    if (bond.member != static_cast<int>(member)) {
+      bond.member -= bond.member > static_cast<int>(member) ? 1 : 0;
+      rest.bonds.push_back(bond);
+    }
+  }
+  return rest;
 }
 
 Vec3 turned(const Vec3& v, const Vec3& turn) {

@@ -17,6 +17,7 @@ struct MobileColloid {
   Vec3 injection_position;      ///< [m]
   /// First touch with what holds it now; not a number if free [s].
   double contact_time = std::numeric_limits<double>::quiet_NaN();
+  double expected_escapes = 0.0;  ///< over the barrier of the grain it rests on, so far
 };
 
 /// A place where a body touches something fixed and sticks to it.
@@ -39,6 +40,7 @@ struct Body {
   double slow_since = std::numeric_limits<double>::quiet_NaN();  ///< [s]
   Vec3 slow_at;                                                  ///< [m]
 
+  bool bonded() const { return !bonds.empty(); }
   std::size_t size() const { return members.size(); }
   Vec3 position(std::size_t member) const { return centre + arms[member]; }
   Vec3 velocity_of(std::size_t member) const {
@@ -51,6 +53,9 @@ Body single(const MobileColloid& colloid, const Vec3& position);
 /// Two bodies that touch become one.  Members and bonds of `a` come first.  `shift`
 /// brings `b` next to `a` through periodic faces [m].
 Body joined(const Body& a, const Body& b, const Vec3& shift);
+
+/// The body without one member, whose bonds go with it.
+Body without(const Body& body, std::size_t member);
 
 /// Moves the body by `step` [m] and turns it by the rotation vector `turn` [rad].
 void displace(Body& body, const Vec3& step, const Vec3& turn);

@@ -8,29 +8,11 @@
 
 #include "core/error.h"
 #include "flow/interpolation.h"
+#include "tiers/flow_scales.h"
 
 namespace colloid {
 
 namespace {
-
-FlowScales flow_scales(const StokesSolver& solver, const Measurement& m) {
-  const StokesProblem& problem = solver.problem();
-  FlowScales scales;
-  scales.largest_speed = solver.largest_speed();
-  scales.throat_diameter = m.critical.value;
-  const int axis = solver.flow_axis();
-  if (axis < 0) {
-    // Sheared, not driven through: the largest speed is the only scale there is.
-    scales.inlet_speed = scales.largest_speed;
-    scales.throat_speed = scales.largest_speed;
-    return scales;
-  }
-  const double area = problem.box.size[(axis + 1) % 3] * problem.box.size[(axis + 2) % 3];
-  scales.inlet_speed = std::abs(m.flow_rate) / area;
-  const double open = narrowest_open_area(problem.box, problem.spheres, axis);
-  scales.throat_speed = open > 0.0 ? std::abs(m.flow_rate) / open : 0.0;
-  return scales;
-}
 
 std::vector<ProfilePoint> sample(const StokesSolver& solver, const Line& line) {
   std::vector<ProfilePoint> points;
@@ -142,7 +124,7 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
     m.permeability = std::numeric_limits<double>::infinity();
   }
   m.forces = wall_forces(solver);
-  m.regime = analyse_regime(scene, flow_scales(solver, m));
+  m.regime = analyse_regime(scene, flow_scales(solver, m.flow_rate, m.critical.value));
   if (options.line) {
     m.profile = sample(solver, *options.line);
   }

@@ -5,6 +5,7 @@
 
 #include "core/constants.h"
 #include "physics/surface_pair.h"
+#include "tiers/surface_model.h"
 
 namespace colloid {
 
@@ -12,41 +13,6 @@ namespace {
 
 constexpr int kPlanes = 400;
 constexpr int kPoints = 200;
-
-SurfacePair common_pair(const Scene& scene) {
-  const SurfaceChemistry& surface = scene.surface;
-  SurfacePair pair;
-  pair.radius = 0.5 * scene.colloids->diameter;
-  pair.other_radius = pair.radius;
-  pair.zeta = surface.zeta_colloid;
-  pair.born_diameter = surface.born_diameter;
-  pair.van_der_waals = surface.van_der_waals == VanDerWaals::retarded
-                           ? VanDerWaalsForm::retarded
-                           : VanDerWaalsForm::unretarded;
-  pair.electrolyte = {surface.ionic_strength, scene.fluid.relative_permittivity,
-                      scene.fluid.temperature};
-  return pair;
-}
-
-SurfacePair colloid_grain(const Scene& scene) {
-  SurfacePair pair = common_pair(scene);
-  pair.shape = PairShape::sphere_plate;
-  pair.other_zeta = scene.surface.zeta_grain;
-  pair.hamaker = scene.surface.hamaker_colloid_grain;
-  pair.double_layer = DoubleLayerForm::constant_potential;
-  return pair;
-}
-
-SurfacePair colloid_colloid(const Scene& scene) {
-  SurfacePair pair = common_pair(scene);
-  pair.shape = PairShape::two_spheres;
-  pair.other_zeta = scene.surface.zeta_colloid;
-  pair.hamaker = scene.surface.hamaker_colloid_colloid;
-  pair.double_layer = scene.surface.double_layer == DoubleLayer::derjaguin
-                          ? DoubleLayerForm::constant_potential
-                          : DoubleLayerForm::superposition;
-  return pair;
-}
 
 PairRegime analyse(const SurfacePair& pair, const FlowScales& scales, double viscosity) {
   const SurfaceForces forces(pair);
@@ -152,10 +118,10 @@ Regime analyse_regime(const Scene& scene, const FlowScales& scales) {
                      : std::abs(c.settling_speed) > 0.0 ? HUGE_VAL
                                                         : 0.0;
   c.relaxation_time = relaxation_time(colloids.density, a, fluid.viscosity);
-  const SurfacePair grain = colloid_grain(scene);
+  const SurfacePair grain = colloid_grain_pair(scene);
   c.debye_length = debye_length(grain.electrolyte);
   c.colloid_grain = analyse(grain, scales, fluid.viscosity);
-  c.colloid_colloid = analyse(colloid_colloid(scene), scales, fluid.viscosity);
+  c.colloid_colloid = analyse(colloid_colloid_pair(scene), scales, fluid.viscosity);
 
   numbers.stokes = c.stokes_largest;
   numbers.peclet = c.peclet;

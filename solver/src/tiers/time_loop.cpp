@@ -1,0 +1,680 @@
+#include "tiers/time_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include "core/constants.h"
+#include "core/error.h"
+#include "physics/barrier_escape.h"
+#include "tiers/retention.h"
+
+namespace colloid {
+
+namespace {
+
+constexpr long kOutputs = 500;          // intervals of the series and trajectories
+constexpr double kRestSpeed = 1e-3;     // of the inlet's speed
+constexpr double kRestTravel = 0.01;    // of the radius
+constexpr int kEscapePushes = 24;       // of the table of escape rates
+constexpr double kThermalTravel = 0.1;  // per thermal step, over the radius or the gap
+constexpr int kPairsPerBody = 3;        // of normal draws: six numbers
+constexpr int kMostIdle = 100;          // steps of no length in a row
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+IntegratorOptions integrator_options(const Scene& scene, const LoopParts& parts) {
+  IntegratorOptions options;
+  options.radius = 0.5 * scene.colloids->diameter;
+  options.tolerance = parts.step_tolerance;
+  options.rules = parts.contacts.rules;
+  return options;
+}
+
+NearSurface surface_at(const FixedSurfaces& surfaces, const Vec3& x,
+                       const SurfaceId& id) {
+  std::vector<NearSurface> near;
+  surfaces.near(x, near);
+  for (const NearSurface& surface : near) {
+    if (surface.id == id) {
+      return surface;
+    }
+  }
+  return {};
+}
+
+// Against the flow: out of the inlet.
+Vec3 upstream_of(const InjectionPlan& plan) {
+  Vec3 up;
+  up[axis_of(plan.inlet_face)] = is_upper(plan.inlet_face) ? 1.0 : -1.0;
+  return up;
+}
+
+}  // namespace
+
+TimeLoop::TimeLoop(const Scene& scene, const RunOptions& options, const LoopParts& parts)
+    : scene_(scene),
+      options_(options),
+      parts_(parts),
+      radius_(0.5 * scene.colloids->diameter),
+      sequence_(parts.injections, options.seed),
+      random_(options.seed),
+      integrator_(integrator_options(scene, parts), parts.motion, parts.surfaces),
+      spheres_(scene.geometry.spheres),
+      last_checkpoint_(std::chrono::steady_clock::now()) {
+  Realisation& r = state_.realisation;
+  r.seed = options.seed;
+  r.tier = parts.tier;
+  first_permeability_ = parts.flow.permeability();
+  observe({}, false);
+  const PairContact& grain = parts.contacts.grain;
+  if (parts.brownian && !parts.contacts.rules.grains_attach &&
+      grain.analysis.primary_minimum) {
+    EscapeConditions conditions;
+    conditions.viscosity = scene.fluid.viscosity;
+    for (int n = 0; n <= kEscapePushes; ++n) {
+      const double push = grain.analysis.largest_repulsion.force * n / kEscapePushes;
+      conditions.force_towards = push;
+      const double time =
+          barrier_escape(grain.forces, grain.analysis, conditions).time;
+      escape_rates_.emplace_back(push, 1.0 / time);
+    }
+  }
+}
+
+std::optional<Realisation> TimeLoop::run() {
+  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t cpu = std::clock();
+  resume();
+  integrator_.refresh(state_.bodies);
+  integrator_.restore(state_.next_step, state_.counts);
+  while (!over_) {
+    if (stopped()) {
+      save();
+      return std::nullopt;
+    }
+    step();
+    if (options_.progress) {
+      options_.progress({state_.time, scene_.duration,
+                         static_cast<long>(state_.realisation.retained.size()),
+                         critical_.value});
+    }
+  }
+  finish();
+  state_.realisation.cost = {
+      {"wall_seconds", seconds_since(start)},
+      {"cpu_seconds", static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC},
+      {"flow_seconds", parts_.flow.seconds()},
+      {"flow_work_units", parts_.flow.work_units()}};
+  return std::move(state_.realisation);
+}
+
+bool TimeLoop::stopped() {
+  if (options_.checkpoint.empty()) {
+    return options_.stop != nullptr && *options_.stop;
+  }
+  if (options_.stop != nullptr && *options_.stop) {
+    return true;
+  }
+  if (seconds_since(last_checkpoint_) >= options_.checkpoint_interval) {
+    save();
+  }
+  return false;
+}
+
+void TimeLoop::save() {
+  if (options_.checkpoint.empty()) {
+    return;
+  }
+  state_.next_step = integrator_.next_step();
+  state_.counts = integrator_.counts();
+  Checkpoint checkpoint;
+  checkpoint.identity = run_identity(scene_, options_.seed, parts_.tier);
+  checkpoint.realisation = state_.realisation;
+  pack(state_, checkpoint.reals, checkpoint.integers);
+  checkpoint.reals["flow"] = parts_.flow.state();
+  checkpoint.reals["first_permeability"] = {first_permeability_};
+  checkpoint.integers["flow_counts"] = {parts_.flow.solves(), parts_.flow.iterations(),
+                                        parts_.flow.blocked() ? 1 : 0};
+  write_checkpoint(options_.checkpoint, checkpoint);
+  last_checkpoint_ = std::chrono::steady_clock::now();
+}
+
+void TimeLoop::resume() {
+  if (options_.checkpoint.empty() || !checkpoint_exists(options_.checkpoint)) {
+    return;
+  }
+  const Checkpoint checkpoint = read_checkpoint(
+      options_.checkpoint, run_identity(scene_, options_.seed, parts_.tier));
+  state_.realisation = checkpoint.realisation;
+  unpack(checkpoint.reals, checkpoint.integers, state_);
+  // The deposit grows again as it did, so that everything built from it is the same to
+  // the bit; only the solves are left out.
+  const std::vector<DepositBatch> deposit = std::move(state_.deposit);
+  state_.deposit.clear();
+  for (const DepositBatch& batch : deposit) {
+    observe(batch, false);
+  }
+  first_permeability_ = checkpoint.reals.at("first_permeability").at(0);
+  const auto& counts = checkpoint.integers.at("flow_counts");
+  parts_.flow.restore(checkpoint.reals.at("flow"), counts.at(2) != 0,
+                      static_cast<long>(counts.at(0)), static_cast<long>(counts.at(1)));
+}
+
+double TimeLoop::next_output_time() const {
+  return scene_.duration * static_cast<double>(state_.next_output) / kOutputs;
+}
+
+double TimeLoop::next_injection_time() {
+  const double rate = parts_.flow.flow_rate();
+  const double volume = sequence_.at(state_.next_injection).volume;
+  if (!(rate > 0.0)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return state_.time + (volume - state_.volume) / rate;
+}
+
+void TimeLoop::step() {
+  RunState& s = state_;
+  const double output = next_output_time();
+  const double injection = next_injection_time();
+  const double until = std::min({scene_.duration, output, injection});
+  const double longest = std::max(0.0, until - s.time);
+  double taken = longest;
+  if (longest > 0.0) {
+    std::optional<Forcing> forcing;
+    if (parts_.brownian && !s.bodies.empty()) {
+      forcing = thermal_forcing();
+      ++s.thermal_steps;
+    }
+    taken = integrator_.advance(s.bodies, longest, forcing);
+    for (const Body& body : s.bodies) {
+      if (!std::isfinite(dot(body.centre, body.centre))) {
+        throw ConvergenceError("position of a colloid: not a finite number");
+      }
+    }
+  }
+  const bool arrived = taken >= longest;
+  s.volume += parts_.flow.flow_rate() * taken;
+  s.time = arrived ? until : s.time + taken;
+  const long retained = static_cast<long>(s.realisation.retained.size());
+  const std::size_t bodies = s.bodies.size();
+  after_step();
+  handle_pushes(taken);
+  if (taken == 0.0 && longest > 0.0 && bodies == s.bodies.size() &&
+      retained == static_cast<long>(s.realisation.retained.size()) &&
+      ++idle_steps_ > kMostIdle) {
+    throw ConvergenceError("motion of colloids: contacts do not settle");
+  }
+  if (taken > 0.0) {
+    idle_steps_ = 0;
+  }
+  if (over_) {
+    return;
+  }
+  if (arrived && injection <= until) {
+    s.volume = sequence_.at(s.next_injection).volume;
+    inject_due();
+    after_step();
+  }
+  if (arrived && output <= until) {
+    record();
+    ++s.next_output;
+  }
+  over_ = over_ || (arrived && until >= scene_.duration);
+}
+
+// Everything that a new state may have brought about, until nothing is left.
+void TimeLoop::after_step() {
+  while (!over_ && handle_touch()) {
+  }
+  handle_exits();
+  while (!over_ && handle_broken_bonds()) {
+  }
+  handle_rest();
+  if (!state_.delayed.empty() && !over_) {
+    std::vector<int> waiting;
+    std::swap(waiting, state_.delayed);
+    for (int index : waiting) {
+      if (!inject(index)) {
+        state_.delayed.push_back(index);
+      }
+    }
+  }
+}
+
+void TimeLoop::inject_due() {
+  const int index = state_.next_injection++;
+  const InjectedColloid& colloid = sequence_.at(index);
+  state_.realisation.injections.push_back(
+      {index, colloid.volume, kNotYet, colloid.position});
+  if (!inject(index)) {
+    state_.delayed.push_back(index);
+    ++state_.times_delayed;
+  }
+}
+
+// False if something is in the way.
+bool TimeLoop::inject(int index) {
+  const InjectedColloid& colloid = sequence_.at(index);
+  const double room = 2.0 * radius_ + parts_.contacts.rules.colloid_gap;
+  for (const Body& body : state_.bodies) {
+    for (std::size_t m = 0; m < body.size(); ++m) {
+      if (norm(shortest(parts_.surfaces.box(), colloid.position, body.position(m))) <
+          room) {
+        return false;
+      }
+    }
+  }
+  std::vector<NearSurface> near;
+  parts_.surfaces.near(colloid.position, near);
+  for (const NearSurface& surface : near) {
+    if (surface.id.kind == SurfaceId::Kind::colloid &&
+        surface.distance + surface.radius < room) {
+      return false;
+    }
+  }
+  MobileColloid mobile;
+  mobile.id = index;
+  mobile.injection_time = state_.time;
+  mobile.injection_position = colloid.position;
+  state_.bodies.push_back(single(mobile, colloid.position));
+  for (InjectionRecord& record : state_.realisation.injections) {
+    if (record.index == index) {
+      record.time = state_.time;
+    }
+  }
+  integrator_.refresh(state_.bodies);
+  return true;
+}
+
+void TimeLoop::bond(Body& body, const Touch& touch) {
+  const auto m = static_cast<std::size_t>(touch.contact.member);
+  const NearSurface surface =
+      surface_at(parts_.surfaces, body.position(m), touch.contact.fixed);
+  const double distance = surface.distance + surface.radius;
+  body.bonds.push_back({touch.contact.member, touch.contact.fixed,
+                        body.position(m) - surface.normal * distance, distance});
+  if (std::isnan(body.members[m].contact_time)) {
+    body.members[m].contact_time = state_.time;
+  }
+}
+
+void TimeLoop::merge(std::size_t a, std::size_t b) {
+  Body& first = state_.bodies[a];
+  Body& second = state_.bodies[b];
+  for (Body* body : {&first, &second}) {
+    for (MobileColloid& member : body->members) {
+      if (std::isnan(member.contact_time)) {
+        member.contact_time = state_.time;
+      }
+    }
+  }
+  const Vec3 e = first.centre - second.centre;
+  const Vec3 shift = e - shortest(parts_.surfaces.box(), first.centre, second.centre);
+  first = joined(first, second, shift);
+  state_.bodies.erase(state_.bodies.begin() + static_cast<std::ptrdiff_t>(b));
+}
+
+// One consequence of surfaces that touch; false if there is none left.
+bool TimeLoop::handle_touch() {
+  const ContactRules& rules = parts_.contacts.rules;
+  const Box& box = parts_.surfaces.box();
+  for (const Touch& touch :
+       find_touches(state_.bodies, parts_.surfaces, rules, radius_)) {
+    if (!sticks(touch, rules, box)) {
+      continue;
+    }
+    const auto b = static_cast<std::size_t>(touch.contact.body);
+    const auto m = static_cast<std::size_t>(touch.contact.member);
+    if (touch.contact.other_body >= 0) {
+      merge(b, static_cast<std::size_t>(touch.contact.other_body));
+    } else if (touch.contact.fixed.kind == SurfaceId::Kind::colloid) {
+      Body& body = state_.bodies[b];
+      bond(body, touch);
+      std::vector<Vector3> points;
+      for (const Bond& each : body.bonds) {
+        points.push_back(eigen(bond_contact(body, each, box, radius_)) / radius_);
+      }
+      if (motions_at_rest(points).cols() == 0) {
+        arrest(b, m);
+        return true;
+      }
+    } else {
+      arrest(b, m);
+      return true;
+    }
+    integrator_.refresh(state_.bodies);
+    return true;
+  }
+  return false;
+}
+
+double TimeLoop::escape_rate(double push) const {
+  for (std::size_t n = 1; n < escape_rates_.size(); ++n) {
+    const auto& [p0, r0] = escape_rates_[n - 1];
+    const auto& [p1, r1] = escape_rates_[n];
+    if (push <= p1) {
+      const double t = (push - p0) / (p1 - p0);
+      // Rates change by orders of magnitude: straight in their logarithms.
+      return r0 > 0.0 && r1 > 0.0 ? r0 * std::pow(r1 / r0, t) : r0 * (1.0 - t) + r1 * t;
+    }
+  }
+  return escape_rates_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+// Surfaces that do not stick by touching: pressed together hard enough, or brought
+// together by heat.
+bool TimeLoop::handle_pushes(double step) {
+  const auto& contacts = integrator_.contacts();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (contact.other_body >= 0 || c >= integrator_.motion().contact_push.size()) {
+      continue;
+    }
+    const double push = integrator_.motion().contact_push[c];
+    const auto b = static_cast<std::size_t>(contact.body);
+    const auto m = static_cast<std::size_t>(contact.member);
+    MobileColloid& member = state_.bodies[b].members[m];
+    bool attached = push > attaching_push(parts_.contacts.rules, parts_.surfaces.box(),
+                                          contact.fixed);
+    if (contact.fixed.kind == SurfaceId::Kind::grain && !escape_rates_.empty()) {
+      member.expected_escapes += step * escape_rate(push);
+      const double limit = random_.exponential(
+          {RandomPurpose::escape, static_cast<std::uint32_t>(member.id), 0});
+      attached = attached || member.expected_escapes >= limit;
+    }
+    if (attached) {
+      arrest(b, m);
+      return true;
+    }
+  }
+  return false;
+}
+
+bool TimeLoop::handle_broken_bonds() {
+  if (scene_.bonds == Bonds::permanent) {
+    return false;
+  }
+  const Box& box = parts_.surfaces.box();
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    Body& body = state_.bodies[b];
+    if (!body.bonded()) {
+      continue;
+    }
+    std::vector<Vector3> points;
+    for (const Bond& each : body.bonds) {
+      points.push_back(eigen(bond_contact(body, each, box, radius_)) / radius_);
+    }
+    const BodyWrench& wrench = integrator_.motion().bond_wrench[b];
+    Vector6 load;
+    load << eigen(wrench.force), eigen(wrench.torque) / radius_;
+    const std::vector<Vector3> forces = contact_loads(points, load);
+    for (std::size_t n = 0; n < body.bonds.size(); ++n) {
+      const auto m = static_cast<std::size_t>(body.bonds[n].member);
+      const Vec3 e = shortest(box, body.position(m), body.bonds[n].anchor);
+      const Vec3 normal = e * (1.0 / norm(e));
+      if (-forces[n].dot(eigen(normal)) > parts_.contacts.colloid.pull_off) {
+        // Out of touch, or it would bond again at once.
+        const double gap = parts_.contacts.rules.colloid_gap;
+        displace(body, normal * (2.0 * contact_tolerance(gap, radius_)), {});
+        body.bonds.erase(body.bonds.begin() + static_cast<std::ptrdiff_t>(n));
+        ++state_.bonds_broken;
+        integrator_.refresh(state_.bodies);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void TimeLoop::handle_exits() {
+  bool left = false;
+  for (std::size_t b = 0; b < state_.bodies.size();) {
+    Body& body = state_.bodies[b];
+    std::size_t gone = body.size();
+    for (std::size_t m = 0; m < body.size() && gone == body.size(); ++m) {
+      if (distance_to_exit(parts_.surfaces.box(), body.position(m), radius_) <=
+          kContactTolerance * radius_) {
+        gone = m;
+      }
+    }
+    if (gone == body.size()) {
+      ++b;
+      continue;
+    }
+    left = true;
+    ++state_.realisation.counts.traversed;
+    state_.realisation.last_traversal = state_.time;
+    if (body.size() == 1) {
+      state_.bodies.erase(state_.bodies.begin() + static_cast<std::ptrdiff_t>(b));
+    } else {
+      body = without(body, gone);
+    }
+  }
+  if (left) {
+    integrator_.refresh(state_.bodies);
+  }
+}
+
+// Tied to the deposit or wedged, and slow for as long as it would take to go 1 % of a
+// radius at the limiting speed.
+void TimeLoop::handle_rest() {
+  const double limit = kRestSpeed * parts_.inlet_speed;
+  const double wait = kRestTravel * radius_ / limit;
+  for (std::size_t b = 0; b < state_.bodies.size() && !over_; ++b) {
+    Body& body = state_.bodies[b];
+    const auto touching = std::count_if(
+        integrator_.contacts().begin(), integrator_.contacts().end(),
+        [&](const Contact& c) { return c.body == static_cast<int>(b); });
+    double fastest = 0.0;
+    for (std::size_t m = 0; m < body.size(); ++m) {
+      fastest = std::max(fastest, norm(body.velocity_of(m)));
+    }
+    if ((!body.bonded() && touching < 2) || fastest > limit || parts_.flow.blocked()) {
+      body.slow_since = kNotYet;
+      continue;
+    }
+    if (std::isnan(body.slow_since) ||
+        norm(body.centre - body.slow_at) > kRestTravel * radius_) {
+      body.slow_since = state_.time;
+      body.slow_at = body.centre;
+    } else if (state_.time - body.slow_since >= wait) {
+      arrest(b, 0);
+      --b;
+    }
+  }
+}
+
+void TimeLoop::arrest(std::size_t index, std::size_t member) {
+  const Body body = state_.bodies[index];
+  const BodyWrench held = parts_.motion.held_wrenches(state_.bodies)[index];
+  state_.bodies.erase(state_.bodies.begin() + static_cast<std::ptrdiff_t>(index));
+  const RetentionContext context{parts_.surfaces,
+                                 parts_.contacts.rules,
+                                 radius_,
+                                 upstream_of(parts_.injections),
+                                 parts_.contacts.grain.pull_off,
+                                 parts_.contacts.wall.pull_off,
+                                 parts_.contacts.colloid.pull_off};
+  Realisation& r = state_.realisation;
+  DepositBatch batch;
+  for (RetainedColloid colloid : describe_retention(context, body, member, held)) {
+    colloid.order = static_cast<long>(r.retained.size()) + 1;
+    colloid.time = state_.time;
+    if (std::isnan(colloid.contact_time)) {
+      colloid.contact_time = state_.time;
+    }
+    if (colloid.layer == Layer::first && std::isnan(r.t1)) {
+      r.t1 = state_.time;
+      r.alpha_deg = colloid.alpha_deg;
+    }
+    batch.ids.push_back(static_cast<int>(colloid.colloid));
+    batch.spheres.push_back({colloid.position, radius_});
+    r.retained.push_back(std::move(colloid));
+  }
+  observe(std::move(batch), true);
+  integrator_.refresh(state_.bodies);
+}
+
+// The deposit has grown by `batch`: what can pass, and how the liquid flows.
+void TimeLoop::observe(DepositBatch batch, bool solve) {
+  for (std::size_t i = 0; i < batch.ids.size(); ++i) {
+    parts_.surfaces.add_colloid(batch.ids[i], batch.spheres[i]);
+    spheres_.push_back(batch.spheres[i]);
+  }
+  CriticalDiameterOptions search;
+  search.flow_axis = parts_.flow.solver().flow_axis();
+  const CriticalDiameter before = critical_;
+  search.before = batch.ids.empty() ? nullptr : &before;
+  critical_ = critical_diameter(parts_.surfaces.box(), spheres_, search);
+  Realisation& r = state_.realisation;
+  if (solve) {
+    if (critical_.value < 2.0 * radius_ && std::isnan(r.tc)) {
+      r.tc = state_.time;
+      if (scene_.stop_when == StopWhen::clogged) {
+        over_ = true;
+      }
+    }
+    if (critical_.blocked && std::isnan(r.blocked_since)) {
+      r.blocked_since = state_.time;
+    }
+    if (critical_.blocked && scene_.drive.inlet_velocity) {
+      parts_.flow.add_unsolved(batch.spheres);
+      parts_.flow.block();
+    } else {
+      parts_.flow.add(batch.spheres);
+    }
+  } else if (!batch.ids.empty()) {
+    parts_.flow.add_unsolved(batch.spheres);
+  }
+  if (!batch.ids.empty()) {
+    state_.deposit.push_back(std::move(batch));
+  }
+}
+
+// Wrenches for a step in which heat moves nothing by more than a tenth of its gap or
+// radius.
+Forcing TimeLoop::thermal_forcing() const {
+  const double kT = parts_.contacts.grain.forces.thermal_energy();
+  const double drag = 6.0 * kPi * scene_.fluid.viscosity * radius_;
+  const double diffusivity = kT / drag;
+  const double reach = kThermalTravel * radius_;
+  Forcing forcing;
+  forcing.step = 0.5 * reach * reach / diffusivity;
+  std::vector<NearSurface> near;
+  double fastest = 0.0;
+  for (const Body& body : state_.bodies) {
+    for (std::size_t m = 0; m < body.size(); ++m) {
+      fastest = std::max(fastest, norm(body.velocity_of(m)));
+      parts_.surfaces.near(body.position(m), near);
+      for (const NearSurface& surface : near) {
+        const double gap = surface.distance - radius_;
+        if (gap > 0.0 && gap < radius_ && scene_.fidelity.hindrance != Hindrance::none) {
+          // Diffusion along the normal slows down like h/a.
+          forcing.step = std::min(
+              forcing.step, 0.5 * kThermalTravel * kThermalTravel * gap * radius_ /
+                                diffusivity);
+        }
+      }
+    }
+  }
+  if (fastest > 0.0) {
+    forcing.step = std::min(forcing.step, reach / fastest);
+  }
+  std::vector<Vector6> normals;
+  for (const Body& body : state_.bodies) {
+    Vector6 six;
+    for (int pair = 0; pair < kPairsPerBody; ++pair) {
+      const auto draws = random_.normal_pair(
+          {RandomPurpose::brownian,
+           static_cast<std::uint32_t>(body.members.front().id),
+           static_cast<std::uint64_t>(kPairsPerBody * state_.thermal_steps + pair)});
+      six[2 * pair] = draws[0];
+      six[2 * pair + 1] = draws[1];
+    }
+    normals.push_back(six);
+  }
+  forcing.wrenches = parts_.motion.thermal_wrenches(state_.bodies, normals,
+                                                    scene_.fluid.temperature,
+                                                    forcing.step);
+  return forcing;
+}
+
+SeriesRow TimeLoop::series_row() const {
+  const Realisation& r = state_.realisation;
+  SeriesRow row;
+  row.time = state_.time;
+  row.critical_diameter = critical_.value;
+  row.permeability = parts_.flow.permeability();
+  row.permeability_ratio = row.permeability / first_permeability_;
+  row.injected = state_.next_injection;
+  row.delayed = static_cast<long>(state_.delayed.size());
+  for (const Body& body : state_.bodies) {
+    row.mobile += static_cast<long>(body.size());
+    row.bonded += body.bonded() ? static_cast<long>(body.size()) : 0;
+  }
+  row.retained = static_cast<long>(r.retained.size());
+  for (const RetainedColloid& colloid : r.retained) {
+    row.first_layer += colloid.layer == Layer::first ? 1 : 0;
+    row.multilayer += colloid.layer == Layer::multilayer ? 1 : 0;
+    row.wall_layer += colloid.layer == Layer::wall ? 1 : 0;
+  }
+  row.traversed = r.counts.traversed;
+  return row;
+}
+
+Frame TimeLoop::frame() const {
+  Frame out;
+  out.step = state_.next_output;
+  out.time = state_.time;
+  for (const RetainedColloid& colloid : state_.realisation.retained) {
+    out.colloids.push_back({static_cast<int>(colloid.colloid), colloid.position, Vec3{},
+                            ColloidState::retained, 2.0 * radius_});
+  }
+  for (const Body& body : state_.bodies) {
+    for (std::size_t m = 0; m < body.size(); ++m) {
+      out.colloids.push_back(
+          {body.members[m].id, body.position(m), body.velocity_of(m),
+           body.bonded() ? ColloidState::bonded : ColloidState::mobile, 2.0 * radius_});
+    }
+  }
+  return out;
+}
+
+void TimeLoop::record() {
+  state_.realisation.series.push_back(series_row());
+  state_.realisation.frames.push_back(frame());
+}
+
+void TimeLoop::finish() {
+  Realisation& r = state_.realisation;
+  r.duration = state_.time;
+  if (scene_.stop_when == StopWhen::clogged && !std::isnan(r.tc)) {
+    r.ending = Ending::clogged;
+  }
+  if (r.series.empty() || r.series.back().time < state_.time) {
+    record();
+  }
+  const SeriesRow last = series_row();
+  r.counts = {last.injected, last.delayed,  last.mobile,
+              last.bonded,   last.retained, last.traversed};
+  const IntegratorCounts& c = integrator_.counts();
+  r.deterministic = {{"steps", static_cast<double>(c.steps)},
+                     {"rejected_steps", static_cast<double>(c.rejected)},
+                     {"located_contacts", static_cast<double>(c.located)},
+                     {"velocity_evaluations", static_cast<double>(c.evaluations)},
+                     {"overlaps", static_cast<double>(c.overlaps)},
+                     {"deepest_overlap_m", c.deepest_overlap},
+                     {"flow_solves", static_cast<double>(parts_.flow.solves())},
+                     {"flow_iterations", static_cast<double>(parts_.flow.iterations())},
+                     {"injections_delayed", static_cast<double>(state_.times_delayed)},
+                     {"bonds_broken", static_cast<double>(state_.bonds_broken)},
+                     {"grain_gap_m", parts_.contacts.rules.grain_gap},
+                     {"colloid_gap_m", parts_.contacts.rules.colloid_gap}};
+}
+
+}  // namespace colloid
