@@ -18,12 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kLongestList = 1e6;
 constexpr const char* kTimeFrom = "volume over the flow rate of the clean pore";
 
-}  // namespace
-
-InjectionList list_injections(const std::string& path, std::uint64_t seed) {
-  const SceneFile file = read_scene(path);
-  refuse_bodies(file);
-  const Scene& scene = file.scene;
+InjectionList list_injections(const Scene& scene, std::uint64_t seed) {
   InjectionList list;
   list.seed = seed;
   list.duration = scene.duration;
@@ -43,6 +38,18 @@ InjectionList list_injections(const std::string& path, std::uint64_t seed) {
     list.colloids.push_back(sequence.at(i));
   }
   return list;
+}
+
+}  // namespace
+
+InjectionList list_injections(const std::string& path, std::uint64_t seed) {
+  const SceneFile file = read_scene(path);
+  refuse_bodies(file);
+  try {
+    return list_injections(file.scene, seed);
+  } catch (const InputError& error) {
+    file.refuse(error.where(), error.why());  // the same with file and line
+  }
 }
 
 Json injections_json(const InjectionList& list) {

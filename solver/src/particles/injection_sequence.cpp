@@ -99,7 +99,7 @@ InjectionSequence::Obstacle InjectionSequence::obstacle_at(const Vec3& position,
       break;
     }
     Vec3 now = earlier->position;
-    now[axis_of(plan_.inlet_face)] += is_upper(plan_.inlet_face) ? -moved : moved;
+    now[axis_of(plan_.inlet_face)] += moved;  // as far away to either side
     if (distance(position, now) < contact) {
       return Obstacle::colloid;
     }

@@ -28,8 +28,8 @@ struct InjectionPlan {
   double inlet_area = 0.0;         ///< of the whole face [m^2]
   double colloid_radius = 0.0;     ///< a [m]
   double volume_fraction = 0.0;    ///< phi of the suspension [-]; 0: no colloids
-  double capture_gap = 0.0;  ///< least gap to walls, grains and other colloids [m]
-  std::vector<Sphere> grains;  ///< fixed spheres that a colloid at the inlet may meet
+  double capture_gap = 0.0;        ///< least gap to walls, grains and other colloids [m]
+  std::vector<Sphere> grains;      ///< fixed spheres that a colloid at the inlet may meet
 };
 
 struct InjectedColloid {

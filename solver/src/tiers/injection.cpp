@@ -52,11 +52,10 @@ double depth(const Box& box, int face, const Vec3& point) {
 }
 
 bool grains_cross(const Geometry& geometry, int face) {
-  return std::any_of(geometry.spheres.begin(), geometry.spheres.end(),
-                     [&](const Sphere& grain) {
-                       return std::abs(depth(geometry.box, face, grain.center)) <
-                              grain.radius;
-                     });
+  return std::any_of(
+      geometry.spheres.begin(), geometry.spheres.end(), [&](const Sphere& grain) {
+        return std::abs(depth(geometry.box, face, grain.center)) < grain.radius;
+      });
 }
 
 double solved_flow_rate(Scene scene) {
@@ -112,10 +111,10 @@ InjectionPlan make_injection_plan(const Scene& scene, double capture_gap) {
     const bool periodic = across && box.periodic(axis);
     const double needed = across ? 2.0 * room : colloids.diameter;
     require(needed <= box.size[axis], "/colloids/diameter",
-            fmt::format("is {} m: a colloid needs {} m at the inlet, with a capture gap "
-                        "of {} m to each side, but the box is {} m along {}",
-                        shortest(colloids.diameter), shortest(needed),
-                        shortest(capture_gap), shortest(box.size[axis]), "xyz"[axis]));
+            fmt::format("is {} m: a colloid needs {:.6g} m at the inlet, with a capture "
+                        "gap of {:.3g} m to each side, but the box is {} m along {}",
+                        shortest(colloids.diameter), needed, capture_gap,
+                        shortest(box.size[axis]), "xyz"[axis]));
     plan.periodic[static_cast<std::size_t>(axis)] = periodic;
     plan.low[axis] = periodic ? 0.0 : room;
     plan.high[axis] = box.size[axis] - plan.low[axis];
@@ -128,8 +127,7 @@ InjectionPlan make_injection_plan(const Scene& scene, double capture_gap) {
     }
   }
   for (const Sphere& grain : scene.geometry.spheres) {
-    const double below =
-        depth(box, plan.inlet_face, grain.center) - plan.colloid_radius;
+    const double below = depth(box, plan.inlet_face, grain.center) - plan.colloid_radius;
     if (std::abs(below) < grain.radius + room) {
       plan.grains.push_back(grain);
     }
