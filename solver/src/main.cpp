@@ -69,6 +69,8 @@ int main(int argc, char** argv) {
     return complain("", error, colloid::exit_refused);
   } catch (const colloid::ConvergenceError& error) {
     return complain("not converged: ", error, colloid::exit_not_converged);
+  } catch (const colloid::OutputError& error) {
+    return complain("", error, colloid::exit_internal);
   } catch (const std::exception& error) {
     return complain("internal error: ", error, colloid::exit_internal);
   }

@@ -1,10 +1,12 @@
 // Errors by audience.  A user's mistake is an InputError, numerics that fail are a
-// ConvergenceError, a programmer's mistake is an assert.  Thrown where found, caught once
+// ConvergenceError, a disk that does not take a result is an OutputError, a programmer's
+// mistake is an assert.  Thrown where found, caught once
 // in main, which prints one line and returns the exit code named here.
 #pragma once
 
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace colloid {
@@ -28,6 +30,15 @@ class InputError : public std::runtime_error {
 class ConvergenceError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A file that could not be written: full disk, quota, broken device.  Exit code 4.
+class OutputError : public std::runtime_error {
+ public:
+  /// `error_number`: errno of the system call that failed.
+  OutputError(const std::string& path, const std::string& what, int error_number)
+      : std::runtime_error(path + ": " + what + ": " +
+                           std::generic_category().message(error_number)) {}
 };
 
 /// Always on: refuses the user's input unless `ok`.
