@@ -11,6 +11,7 @@
 #include "commands/command.h"
 #include "commands/describe.h"
 #include "commands/measure.h"
+#include "commands/run.h"
 #include "core/error.h"
 #include "core/version.h"
 
@@ -19,7 +20,8 @@ namespace {
 using colloid::Command;
 using colloid::CommandEntry;
 
-constexpr std::array<CommandEntry, 2> kCommands{{
+constexpr std::array<CommandEntry, 3> kCommands{{
+    {"run", "Run one realisation of a scene into a result file", colloid::make_run},
     {"measure", "Measure flow, permeability, critical diameter and forces of a scene",
      colloid::make_measure},
     {"describe", "Print the keys of a scene with units, ranges and defaults",

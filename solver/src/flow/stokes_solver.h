@@ -25,6 +25,9 @@ class StokesSolver {
   /// The deposit grew.  The next solve() starts from the flow before.
   void add_spheres(const std::vector<Sphere>& spheres);
 
+  std::vector<double> state() const;
+  void restore(const std::vector<double>& state);
+
   const StokesStatistics& statistics() const { return statistics_; }
   const StokesProblem& problem() const { return problem_; }
 

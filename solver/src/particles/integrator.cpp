@@ -32,10 +32,10 @@ Vec3 turn_rate(const Vec3& theta, const Vec3& w) {
   return w - 0.5 * c + (1.0 / 12.0) * cross(theta, c);
 }
 
-std::vector<Body> displaced(const std::vector<Body>& bodies,
+std::vector<RigidBody> displaced(const std::vector<RigidBody>& bodies,
                             const std::vector<Vec3>& shift,
                             const std::vector<Vec3>& turn) {
-  std::vector<Body> out = bodies;
+  std::vector<RigidBody> out = bodies;
   for (std::size_t b = 0; b < out.size(); ++b) {
     displace(out[b], shift[b], turn[b]);
   }
@@ -54,14 +54,14 @@ void Integrator::restore(double next_step, const IntegratorCounts& counts) {
   fresh_ = false;
 }
 
-Motion Integrator::evaluate(const std::vector<Body>& bodies,
+Motion Integrator::evaluate(const std::vector<RigidBody>& bodies,
                             const std::optional<Forcing>& forcing) {
   ++counts_.evaluations;
   return model_.motion(bodies, contacts_,
                        forcing ? forcing->wrenches : std::vector<BodyWrench>{});
 }
 
-void Integrator::refresh(std::vector<Body>& bodies) {
+void Integrator::refresh(std::vector<RigidBody>& bodies) {
   contacts_.clear();
   for (const Touch& touch :
        find_touches(bodies, surfaces_, options_.rules, options_.radius)) {
@@ -74,7 +74,7 @@ void Integrator::refresh(std::vector<Body>& bodies) {
   take_velocities(bodies);
 }
 
-void Integrator::take_velocities(std::vector<Body>& bodies) const {
+void Integrator::take_velocities(std::vector<RigidBody>& bodies) const {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     bodies[b].velocity = motion_.velocity[b];
     bodies[b].spin = motion_.spin[b];
@@ -82,7 +82,7 @@ void Integrator::take_velocities(std::vector<Body>& bodies) const {
 }
 
 // Error over the tolerance: of the position over a, along near normals over the gap.
-double Integrator::error_of(const std::vector<Body>& bodies,
+double Integrator::error_of(const std::vector<RigidBody>& bodies,
                             const std::vector<Vec3>& shift,
                             const std::vector<Vec3>& turn) const {
   const double a = options_.radius;
@@ -109,7 +109,7 @@ double Integrator::error_of(const std::vector<Body>& bodies,
   return worst / options_.tolerance;
 }
 
-Integrator::Trial Integrator::attempt(const std::vector<Body>& bodies, double step,
+Integrator::Trial Integrator::attempt(const std::vector<RigidBody>& bodies, double step,
                                       const std::optional<Forcing>& forcing) {
   const std::size_t n = bodies.size();
   std::array<std::vector<Vec3>, 4> u;
@@ -159,7 +159,7 @@ Integrator::Trial Integrator::attempt(const std::vector<Body>& bodies, double st
 
 // The least margin, over its tolerance, of all contacts and passages that could come;
 // those already in touch do not count.  Below -1: something was passed.
-double Integrator::least_event(const std::vector<Body>& bodies) const {
+double Integrator::least_event(const std::vector<RigidBody>& bodies) const {
   const double a = options_.radius;
   double least = std::numeric_limits<double>::infinity();
   std::vector<NearSurface> near;
@@ -209,7 +209,7 @@ double Integrator::least_event(const std::vector<Body>& bodies) const {
 // The same between the ends, on the cubic through both: a step may graze a surface.
 // Returns the earliest sampled fraction at which something was passed, or 1 if only the
 // end counts, or infinity.
-double Integrator::event_within(const std::vector<Body>& begin, const Trial& trial,
+double Integrator::event_within(const std::vector<RigidBody>& begin, const Trial& trial,
                                 double step) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const double at_end = least_event(trial.bodies);
@@ -229,7 +229,7 @@ double Integrator::event_within(const std::vector<Body>& begin, const Trial& tri
   }
   for (int sample = 1; sample < kSamplesWithin; ++sample) {
     const double t = static_cast<double>(sample) / kSamplesWithin;
-    std::vector<Body> at = begin;
+    std::vector<RigidBody> at = begin;
     for (std::size_t b = 0; b < begin.size(); ++b) {
       const Vec3 d = trial.bodies[b].centre - begin[b].centre;
       const Vec3 v0 = motion_.velocity[b] * step;
@@ -248,7 +248,7 @@ double Integrator::event_within(const std::vector<Body>& begin, const Trial& tri
 
 // Finds the step whose end is at the contact, by the Illinois method.  At `high` surfaces
 // have passed each other, at `low` not yet.
-bool Integrator::locate(const std::vector<Body>& begin, double low, double high,
+bool Integrator::locate(const std::vector<RigidBody>& begin, double low, double high,
                         const std::optional<Forcing>& forcing, Trial& trial,
                         double& step) {
   double f_low = least_event(begin);
@@ -297,7 +297,7 @@ bool Integrator::locate(const std::vector<Body>& begin, double low, double high,
 }
 
 double Integrator::travel_limit(const Motion& motion,
-                                const std::vector<Body>& bodies) const {
+                                const std::vector<RigidBody>& bodies) const {
   double fastest = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (const Vec3& arm : bodies[b].arms) {
@@ -309,7 +309,7 @@ double Integrator::travel_limit(const Motion& motion,
                        : std::numeric_limits<double>::infinity();
 }
 
-void Integrator::count_overlaps(const std::vector<Body>& bodies) {
+void Integrator::count_overlaps(const std::vector<RigidBody>& bodies) {
   const double a = options_.radius;
   for (const Touch& touch : find_touches(bodies, surfaces_, options_.rules, a)) {
     const double tolerance = kLeastTolerance * a;
@@ -320,7 +320,7 @@ void Integrator::count_overlaps(const std::vector<Body>& bodies) {
   }
 }
 
-double Integrator::advance(std::vector<Body>& bodies, double longest,
+double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
                            const std::optional<Forcing>& forcing) {
   if (bodies.empty()) {
     return longest;
@@ -371,7 +371,7 @@ double Integrator::advance(std::vector<Body>& bodies, double longest,
   // Velocities at the end of the step hold on if nothing there is corrected or new.
   const bool loose = contacts_.empty() && !forcing &&
                      std::all_of(bodies.begin(), bodies.end(),
-                                 [](const Body& body) { return body.bonds.empty(); });
+                                 [](const RigidBody& body) { return body.bonds.empty(); });
   settle(bodies);
   count_overlaps(bodies);
   if (loose && find_touches(bodies, surfaces_, options_.rules, options_.radius).empty()) {
@@ -383,7 +383,7 @@ double Integrator::advance(std::vector<Body>& bodies, double longest,
 }
 
 // Bonds and pressed contacts keep their distance to the last digit.
-void Integrator::settle(std::vector<Body>& bodies) {
+void Integrator::settle(std::vector<RigidBody>& bodies) {
   std::vector<Contact> pressed;
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     if (motion_.contact_push[c] > 0.0) {

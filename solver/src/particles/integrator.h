@@ -49,12 +49,12 @@ class Integrator {
              const FixedSurfaces& surfaces);
 
   /// One step of at most `longest` [s]; returns its length.  Zero: surfaces touch now.
-  double advance(std::vector<Body>& bodies, double longest,
+  double advance(std::vector<RigidBody>& bodies, double longest,
                  const std::optional<Forcing>& forcing);
 
   /// Velocities changed for another reason than a step: the flow, the deposit, the
   /// bodies.  Sets the velocities of the bodies and the contacts.
-  void refresh(std::vector<Body>& bodies);
+  void refresh(std::vector<RigidBody>& bodies);
 
   /// Touching without sticking, now, and with what push.
   const std::vector<Contact>& contacts() const { return contacts_; }
@@ -67,26 +67,26 @@ class Integrator {
 
  private:
   struct Trial {
-    std::vector<Body> bodies;
+    std::vector<RigidBody> bodies;
     Motion end;
     double error = 0.0;  ///< over the tolerance
   };
 
-  Motion evaluate(const std::vector<Body>& bodies,
+  Motion evaluate(const std::vector<RigidBody>& bodies,
                   const std::optional<Forcing>& forcing);
-  Trial attempt(const std::vector<Body>& bodies, double step,
+  Trial attempt(const std::vector<RigidBody>& bodies, double step,
                 const std::optional<Forcing>& forcing);
-  double error_of(const std::vector<Body>& bodies, const std::vector<Vec3>& shift,
+  double error_of(const std::vector<RigidBody>& bodies, const std::vector<Vec3>& shift,
                   const std::vector<Vec3>& turn) const;
-  double least_event(const std::vector<Body>& bodies) const;
-  double event_within(const std::vector<Body>& begin, const Trial& trial,
+  double least_event(const std::vector<RigidBody>& bodies) const;
+  double event_within(const std::vector<RigidBody>& begin, const Trial& trial,
                       double step) const;
-  double travel_limit(const Motion& motion, const std::vector<Body>& bodies) const;
-  bool locate(const std::vector<Body>& begin, double low, double high,
+  double travel_limit(const Motion& motion, const std::vector<RigidBody>& bodies) const;
+  bool locate(const std::vector<RigidBody>& begin, double low, double high,
               const std::optional<Forcing>& forcing, Trial& trial, double& step);
-  void settle(std::vector<Body>& bodies);
-  void take_velocities(std::vector<Body>& bodies) const;
-  void count_overlaps(const std::vector<Body>& bodies);
+  void settle(std::vector<RigidBody>& bodies);
+  void take_velocities(std::vector<RigidBody>& bodies) const;
+  void count_overlaps(const std::vector<RigidBody>& bodies);
 
   IntegratorOptions options_;
   const MotionModel& model_;
@@ -106,7 +106,7 @@ struct Touch {
 
 /// All surfaces nearer than the gap of contact and its tolerance, in the order of bodies
 /// and members.  Bonds are left out.
-std::vector<Touch> find_touches(const std::vector<Body>& bodies,
+std::vector<Touch> find_touches(const std::vector<RigidBody>& bodies,
                                 const FixedSurfaces& surfaces, const ContactRules& rules,
                                 double radius);
 

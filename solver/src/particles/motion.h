@@ -40,18 +40,18 @@ class MotionModel {
   virtual ~MotionModel() = default;
 
   /// `extra`: wrenches besides those the model knows; empty: none.
-  virtual Motion motion(const std::vector<Body>& bodies,
+  virtual Motion motion(const std::vector<RigidBody>& bodies,
                         const std::vector<Contact>& contacts,
                         const std::vector<BodyWrench>& extra) const = 0;
 
   /// Thermal wrenches over a step [s], fluctuation balancing dissipation: covariance
   /// 2 kT R / step.  `normals`: six independent normal draws per body.
   virtual std::vector<BodyWrench> thermal_wrenches(
-      const std::vector<Body>& bodies, const std::vector<Vector6>& normals,
+      const std::vector<RigidBody>& bodies, const std::vector<Vector6>& normals,
       double temperature, double step) const = 0;
 
   /// Wrench on each body if it were held where it is: what bonds have to carry.
-  virtual std::vector<BodyWrench> held_wrenches(const std::vector<Body>& bodies) const = 0;
+  virtual std::vector<BodyWrench> held_wrenches(const std::vector<RigidBody>& bodies) const = 0;
 };
 
 }  // namespace colloid

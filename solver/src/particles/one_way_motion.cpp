@@ -27,7 +27,7 @@ struct Member {
   AmbientMotion ambient;
 };
 
-std::vector<Member> members_of(const std::vector<Body>& bodies) {
+std::vector<Member> members_of(const std::vector<RigidBody>& bodies) {
   std::vector<Member> members;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (std::size_t m = 0; m < bodies[b].size(); ++m) {
@@ -45,14 +45,6 @@ struct OneWayMotion::Assembly {
   std::vector<BodySystem> systems;
   std::vector<PairTerm> pairs;
 };
-
-Vec3 bond_contact(const Body& body, const Bond& bond, const Box& box, double radius) {
-  const auto m = static_cast<std::size_t>(bond.member);
-  const Vec3 e = shortest(box, bond.anchor, body.position(m));
-  // Half of the gap is the colloid's.
-  const double lever = 0.5 * (bond.distance - 2.0 * radius) + radius;
-  return body.arms[m] + e * (lever / norm(e));
-}
 
 OneWayMotion::OneWayMotion(const OneWayOptions& options, const AmbientFlow& flow,
                            const FixedSurfaces& surfaces,
@@ -91,7 +83,7 @@ double OneWayMotion::surface_force(const NearSurface& surface) const {
 }
 
 // Mobile colloids of different bodies: squeezing and shearing flow between them.
-void OneWayMotion::add_pairs(const std::vector<Body>& bodies, Assembly& out) const {
+void OneWayMotion::add_pairs(const std::vector<RigidBody>& bodies, Assembly& out) const {
   const double a = options_.radius;
   std::vector<Member>& members = out.members;
   std::vector<Vec3> change(members.size());
@@ -140,7 +132,7 @@ void OneWayMotion::add_pairs(const std::vector<Body>& bodies, Assembly& out) con
   }
 }
 
-void OneWayMotion::add_surfaces(const std::vector<Body>& bodies, Assembly& out) const {
+void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies, Assembly& out) const {
   const double a = options_.radius;
   const Box& box = surfaces_.box();
   std::vector<NearSurface> near;
@@ -178,7 +170,7 @@ void OneWayMotion::add_surfaces(const std::vector<Body>& bodies, Assembly& out) 
   }
 }
 
-OneWayMotion::Assembly OneWayMotion::assemble(const std::vector<Body>& bodies) const {
+OneWayMotion::Assembly OneWayMotion::assemble(const std::vector<RigidBody>& bodies) const {
   Assembly out;
   out.members = members_of(bodies);
   out.systems.resize(bodies.size());
@@ -204,7 +196,7 @@ OneWayMotion::Assembly OneWayMotion::assemble(const std::vector<Body>& bodies) c
   return out;
 }
 
-ContactRow OneWayMotion::contact_row(const std::vector<Body>& bodies,
+ContactRow OneWayMotion::contact_row(const std::vector<RigidBody>& bodies,
                                      const Contact& contact) const {
   const auto b = static_cast<std::size_t>(contact.body);
   const auto m = static_cast<std::size_t>(contact.member);
@@ -233,7 +225,7 @@ ContactRow OneWayMotion::contact_row(const std::vector<Body>& bodies,
   return row;
 }
 
-Motion OneWayMotion::motion(const std::vector<Body>& bodies,
+Motion OneWayMotion::motion(const std::vector<RigidBody>& bodies,
                             const std::vector<Contact>& contacts,
                             const std::vector<BodyWrench>& extra) const {
   Assembly assembly = assemble(bodies);
@@ -263,7 +255,7 @@ Motion OneWayMotion::motion(const std::vector<Body>& bodies,
 }
 
 std::vector<BodyWrench> OneWayMotion::thermal_wrenches(
-    const std::vector<Body>& bodies, const std::vector<Vector6>& normals,
+    const std::vector<RigidBody>& bodies, const std::vector<Vector6>& normals,
     double temperature, double step) const {
   const Assembly assembly = assemble(bodies);
   // <F F'> = 2 kT (6 pi mu a R) / step, F = 6 pi mu a f.
@@ -277,7 +269,7 @@ std::vector<BodyWrench> OneWayMotion::thermal_wrenches(
 }
 
 std::vector<BodyWrench> OneWayMotion::held_wrenches(
-    const std::vector<Body>& bodies) const {
+    const std::vector<RigidBody>& bodies) const {
   std::vector<BodyWrench> out;
   for (const BodySystem& system : assemble(bodies).systems) {
     out.push_back(from_wrench(system.drive, drag_, options_.radius));

@@ -31,20 +31,20 @@ class OneWayMotion : public MotionModel {
   OneWayMotion(const OneWayOptions& options, const AmbientFlow& flow,
                const FixedSurfaces& surfaces, const std::vector<double>& grain_radii);
 
-  Motion motion(const std::vector<Body>& bodies, const std::vector<Contact>& contacts,
+  Motion motion(const std::vector<RigidBody>& bodies, const std::vector<Contact>& contacts,
                 const std::vector<BodyWrench>& extra) const override;
-  std::vector<BodyWrench> thermal_wrenches(const std::vector<Body>& bodies,
+  std::vector<BodyWrench> thermal_wrenches(const std::vector<RigidBody>& bodies,
                                            const std::vector<Vector6>& normals,
                                            double temperature,
                                            double step) const override;
-  std::vector<BodyWrench> held_wrenches(const std::vector<Body>& bodies) const override;
+  std::vector<BodyWrench> held_wrenches(const std::vector<RigidBody>& bodies) const override;
 
  private:
   struct Assembly;
-  Assembly assemble(const std::vector<Body>& bodies) const;
-  void add_pairs(const std::vector<Body>& bodies, Assembly& out) const;
-  void add_surfaces(const std::vector<Body>& bodies, Assembly& out) const;
-  ContactRow contact_row(const std::vector<Body>& bodies, const Contact& contact) const;
+  Assembly assemble(const std::vector<RigidBody>& bodies) const;
+  void add_pairs(const std::vector<RigidBody>& bodies, Assembly& out) const;
+  void add_surfaces(const std::vector<RigidBody>& bodies, Assembly& out) const;
+  ContactRow contact_row(const std::vector<RigidBody>& bodies, const Contact& contact) const;
   double surface_force(const NearSurface& surface) const;
 
   OneWayOptions options_;
@@ -54,8 +54,5 @@ class OneWayMotion : public MotionModel {
   std::unique_ptr<SurfaceHindrance> wall_hindrance_;
   std::unique_ptr<EqualPairHindrance> pair_hindrance_;
 };
-
-/// Where the contact of a bond is, from the body's centre [m].
-Vec3 bond_contact(const Body& body, const Bond& bond, const Box& box, double radius);
 
 }  // namespace colloid

@@ -16,13 +16,13 @@ struct Row {
   double excess;  // distance too large by this [m]
 };
 
-Vector6 row_of(const Body& body, std::size_t member, const Vec3& n, double radius) {
+Vector6 row_of(const RigidBody& body, std::size_t member, const Vec3& n, double radius) {
   Vector6 row;
   row << eigen(n), eigen(cross(body.arms[member], n)) / radius;
   return row;
 }
 
-void add_bonds(const std::vector<Body>& bodies, const Box& box, double radius,
+void add_bonds(const std::vector<RigidBody>& bodies, const Box& box, double radius,
                std::vector<Row>& rows) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (const Bond& bond : bodies[b].bonds) {
@@ -35,7 +35,7 @@ void add_bonds(const std::vector<Body>& bodies, const Box& box, double radius,
   }
 }
 
-void add_contacts(const std::vector<Body>& bodies, const std::vector<Contact>& pressed,
+void add_contacts(const std::vector<RigidBody>& bodies, const std::vector<Contact>& pressed,
                   const FixedSurfaces& surfaces, const ContactRules& rules,
                   double radius, std::vector<Row>& rows) {
   std::vector<NearSurface> near;
@@ -68,7 +68,7 @@ void add_contacts(const std::vector<Body>& bodies, const std::vector<Contact>& p
 
 }  // namespace
 
-void keep_distances(std::vector<Body>& bodies, const std::vector<Contact>& pressed,
+void keep_distances(std::vector<RigidBody>& bodies, const std::vector<Contact>& pressed,
                     const FixedSurfaces& surfaces, const ContactRules& rules,
                     double radius) {
   for (int iteration = 0; iteration < kIterations; ++iteration) {

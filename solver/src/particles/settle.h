@@ -11,7 +11,7 @@ namespace colloid {
 
 /// Least displacements (over the radius, translations and turns alike) such that every
 /// bond has its length and every contact in `pressed` the gap of contact.
-void keep_distances(std::vector<Body>& bodies, const std::vector<Contact>& pressed,
+void keep_distances(std::vector<RigidBody>& bodies, const std::vector<Contact>& pressed,
                     const FixedSurfaces& surfaces, const ContactRules& rules,
                     double radius);
 

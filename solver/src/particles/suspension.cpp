@@ -4,8 +4,8 @@
 
 namespace colloid {
 
-Body single(const MobileColloid& colloid, const Vec3& position) {
-  Body body;
+RigidBody single(const MobileColloid& colloid, const Vec3& position) {
+  RigidBody body;
   body.members = {colloid};
   body.centre = position;
   body.arms = {Vec3{}};
@@ -15,7 +15,7 @@ Body single(const MobileColloid& colloid, const Vec3& position) {
 namespace {
 
 // Centre and arms for members at these places.
-void place(Body& body, const std::vector<Vec3>& positions) {
+void place(RigidBody& body, const std::vector<Vec3>& positions) {
   Vec3 sum;
   for (const Vec3& x : positions) {
     sum += x;
@@ -29,8 +29,8 @@ void place(Body& body, const std::vector<Vec3>& positions) {
 
 }  // namespace
 
-Body joined(const Body& a, const Body& b, const Vec3& shift) {
-  Body body;
+RigidBody joined(const RigidBody& a, const RigidBody& b, const Vec3& shift) {
+  RigidBody body;
   body.members = a.members;
   body.members.insert(body.members.end(), b.members.begin(), b.members.end());
   std::vector<Vec3> positions;
@@ -51,8 +51,8 @@ Body joined(const Body& a, const Body& b, const Vec3& shift) {
   return body;
 }
 
-Body without(const Body& body, std::size_t member) {
-  Body rest;
+RigidBody without(const RigidBody& body, std::size_t member) {
+  RigidBody rest;
   std::vector<Vec3> positions;
   for (std::size_t m = 0; m < body.size(); ++m) {
     if (m != member) {
@@ -82,7 +82,15 @@ Vec3 turned(const Vec3& v, const Vec3& turn) {
          2.0 * half * half * cross(axis, cross(axis, v));
 }
 
-void displace(Body& body, const Vec3& step, const Vec3& turn) {
+Vec3 bond_contact(const RigidBody& body, const Bond& bond, const Box& box, double radius) {
+  const auto m = static_cast<std::size_t>(bond.member);
+  const Vec3 e = shortest(box, bond.anchor, body.position(m));
+  // Half of the gap is the colloid's.
+  const double lever = 0.5 * (bond.distance - 2.0 * radius) + radius;
+  return body.arms[m] + e * (lever / norm(e));
+}
+
+void displace(RigidBody& body, const Vec3& step, const Vec3& turn) {
   body.centre += step;
   for (Vec3& arm : body.arms) {
     arm = turned(arm, turn);

@@ -28,7 +28,7 @@ struct Bond {
   double distance = 0.0;  ///< of the two centres, kept [m]
 };
 
-struct Body {
+struct RigidBody {
   std::vector<MobileColloid> members;
   Vec3 centre;             ///< mean of the members' centres [m]
   std::vector<Vec3> arms;  ///< from `centre` to each member's centre [m]
@@ -48,17 +48,20 @@ struct Body {
   }
 };
 
-Body single(const MobileColloid& colloid, const Vec3& position);
+RigidBody single(const MobileColloid& colloid, const Vec3& position);
 
 /// Two bodies that touch become one.  Members and bonds of `a` come first.  `shift`
 /// brings `b` next to `a` through periodic faces [m].
-Body joined(const Body& a, const Body& b, const Vec3& shift);
+RigidBody joined(const RigidBody& a, const RigidBody& b, const Vec3& shift);
 
 /// The body without one member, whose bonds go with it.
-Body without(const Body& body, std::size_t member);
+RigidBody without(const RigidBody& body, std::size_t member);
 
 /// Moves the body by `step` [m] and turns it by the rotation vector `turn` [rad].
-void displace(Body& body, const Vec3& step, const Vec3& turn);
+void displace(RigidBody& body, const Vec3& step, const Vec3& turn);
+
+/// Where the contact of a bond is, from the body's centre [m].
+Vec3 bond_contact(const RigidBody& body, const Bond& bond, const Box& box, double radius);
 
 /// v turned by the rotation vector (Rodrigues' formula).
 Vec3 turned(const Vec3& v, const Vec3& turn);

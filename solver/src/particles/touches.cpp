@@ -7,7 +7,7 @@ namespace colloid {
 
 namespace {
 
-bool bonded_to(const Body& body, std::size_t member, const SurfaceId& id) {
+bool bonded_to(const RigidBody& body, std::size_t member, const SurfaceId& id) {
   return std::any_of(body.bonds.begin(), body.bonds.end(), [&](const Bond& bond) {
     return bond.member == static_cast<int>(member) && bond.fixed == id;
   });
@@ -27,7 +27,7 @@ double distance_to_exit(const Box& box, const Vec3& x, double radius) {
   return least;
 }
 
-std::vector<Touch> find_touches(const std::vector<Body>& bodies,
+std::vector<Touch> find_touches(const std::vector<RigidBody>& bodies,
                                 const FixedSurfaces& surfaces, const ContactRules& rules,
                                 double radius) {
   std::vector<Touch> touches;

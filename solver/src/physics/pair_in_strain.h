@@ -9,8 +9,7 @@
 // 4.077 xi and B ~ 0.406 - 0.78/ln(1/xi).
 #pragma once
 
-#include <array>
-
+#include "physics/chebyshev.h"
 #include "physics/pair_resistance.h"
 
 namespace colloid {
@@ -27,12 +26,9 @@ class PairInStrain {
   /// `gap` = xi > 0, in radii; infinity gives 0.
   StrainHindrance at(double gap) const;
 
-  static constexpr int kDegree = 40;
-
  private:
   TwoSphereResistance resistance_;
-  // Force along, force across and torque on a sphere held in the strain, in 2u - 1.
-  std::array<std::array<double, 3>, kDegree + 1> chebyshev_{};
+  ChebyshevSeries<3> held_;  // force along, force across, torque against u = 2/s
 };
 
 }  // namespace colloid

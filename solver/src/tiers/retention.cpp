@@ -29,7 +29,7 @@ bool touches(const RetentionContext& context, const NearSurface& surface) {
              gap + 2.0 * contact_tolerance(gap, context.radius);
 }
 
-std::vector<Held> fixed_contacts(const RetentionContext& context, const Body& body) {
+std::vector<Held> fixed_contacts(const RetentionContext& context, const RigidBody& body) {
   std::vector<Held> contacts;
   std::vector<NearSurface> near;
   for (std::size_t m = 0; m < body.size(); ++m) {
@@ -70,7 +70,7 @@ double pull_off_of(const RetentionContext& context, const SurfaceId& id) {
 }
 
 // Pull on each contact when together they balance `held`, forces of least norm.
-std::vector<double> pulls(const RetentionContext& context, const Body& body,
+std::vector<double> pulls(const RetentionContext& context, const RigidBody& body,
                           const std::vector<Held>& contacts, const BodyWrench& held) {
   if (contacts.empty()) {
     return {};
@@ -99,7 +99,7 @@ double elevation(const Vec3& normal, const Vec3& upstream) {
   return std::asin(std::clamp(dot(normal, upstream), -1.0, 1.0)) * 180.0 / kPi;
 }
 
-void judge(const RetentionContext& context, const Body& body, std::size_t member,
+void judge(const RetentionContext& context, const RigidBody& body, std::size_t member,
            const std::vector<Held>& contacts, const BodyWrench& held,
            RetainedColloid& colloid) {
   bool grain = false;
@@ -166,7 +166,7 @@ bool held_by_geometry(const RetentionContext& context, const Vec3& x,
 }
 
 std::vector<RetainedColloid> describe_retention(const RetentionContext& context,
-                                                const Body& body, std::size_t first,
+                                                const RigidBody& body, std::size_t first,
                                                 const BodyWrench& held) {
   const std::vector<Held> contacts = fixed_contacts(context, body);
   const std::vector<double> load = pulls(context, body, contacts, held);

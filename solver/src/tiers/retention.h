@@ -24,7 +24,7 @@ struct RetentionContext {
 /// The records of a body's colloids, `first` (a member) in front; order and time are the
 /// caller's.  `held`: the flow's wrench on the body if held.
 std::vector<RetainedColloid> describe_retention(const RetentionContext& context,
-                                                const Body& body, std::size_t first,
+                                                const RigidBody& body, std::size_t first,
                                                 const BodyWrench& held);
 
 /// Whether grains and walls alone, without adhesion or friction, keep a sphere at `x`

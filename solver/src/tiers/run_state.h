@@ -26,7 +26,7 @@ struct RunState {
   long times_delayed = 0;    ///< how many ever had to
   long next_output = 0;      ///< of the output times
   long thermal_steps = 0;    ///< steps with thermal forces so far: addresses their draws
-  std::vector<Body> bodies;
+  std::vector<RigidBody> bodies;
   std::vector<DepositBatch> deposit;
   long bonds_broken = 0;
   double next_step = 0.0;

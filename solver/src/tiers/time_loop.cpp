@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 #include <limits>
 
 #include "core/constants.h"
@@ -144,7 +145,7 @@ void TimeLoop::save() {
 }
 
 void TimeLoop::resume() {
-  if (options_.checkpoint.empty() || !checkpoint_exists(options_.checkpoint)) {
+  if (options_.checkpoint.empty() || !std::filesystem::exists(options_.checkpoint)) {
     return;
   }
   const Checkpoint checkpoint = read_checkpoint(
@@ -191,7 +192,7 @@ void TimeLoop::step() {
       ++s.thermal_steps;
     }
     taken = integrator_.advance(s.bodies, longest, forcing);
-    for (const Body& body : s.bodies) {
+    for (const RigidBody& body : s.bodies) {
       if (!std::isfinite(dot(body.centre, body.centre))) {
         throw ConvergenceError("position of a colloid: not a finite number");
       }
@@ -261,7 +262,7 @@ void TimeLoop::inject_due() {
 bool TimeLoop::inject(int index) {
   const InjectedColloid& colloid = sequence_.at(index);
   const double room = 2.0 * radius_ + parts_.contacts.rules.colloid_gap;
-  for (const Body& body : state_.bodies) {
+  for (const RigidBody& body : state_.bodies) {
     for (std::size_t m = 0; m < body.size(); ++m) {
       if (norm(shortest(parts_.surfaces.box(), colloid.position, body.position(m))) <
           room) {
@@ -291,7 +292,7 @@ bool TimeLoop::inject(int index) {
   return true;
 }
 
-void TimeLoop::bond(Body& body, const Touch& touch) {
+void TimeLoop::bond(RigidBody& body, const Touch& touch) {
   const auto m = static_cast<std::size_t>(touch.contact.member);
   const NearSurface surface =
       surface_at(parts_.surfaces, body.position(m), touch.contact.fixed);
@@ -304,9 +305,9 @@ void TimeLoop::bond(Body& body, const Touch& touch) {
 }
 
 void TimeLoop::merge(std::size_t a, std::size_t b) {
-  Body& first = state_.bodies[a];
-  Body& second = state_.bodies[b];
-  for (Body* body : {&first, &second}) {
+  RigidBody& first = state_.bodies[a];
+  RigidBody& second = state_.bodies[b];
+  for (RigidBody* body : {&first, &second}) {
     for (MobileColloid& member : body->members) {
       if (std::isnan(member.contact_time)) {
         member.contact_time = state_.time;
@@ -333,7 +334,7 @@ bool TimeLoop::handle_touch() {
     if (touch.contact.other_body >= 0) {
       merge(b, static_cast<std::size_t>(touch.contact.other_body));
     } else if (touch.contact.fixed.kind == SurfaceId::Kind::colloid) {
-      Body& body = state_.bodies[b];
+      RigidBody& body = state_.bodies[b];
       bond(body, touch);
       std::vector<Vector3> points;
       for (const Bond& each : body.bonds) {
@@ -401,7 +402,7 @@ bool TimeLoop::handle_broken_bonds() {
   }
   const Box& box = parts_.surfaces.box();
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    Body& body = state_.bodies[b];
+    RigidBody& body = state_.bodies[b];
     if (!body.bonded()) {
       continue;
     }
@@ -434,7 +435,7 @@ bool TimeLoop::handle_broken_bonds() {
 void TimeLoop::handle_exits() {
   bool left = false;
   for (std::size_t b = 0; b < state_.bodies.size();) {
-    Body& body = state_.bodies[b];
+    RigidBody& body = state_.bodies[b];
     std::size_t gone = body.size();
     for (std::size_t m = 0; m < body.size() && gone == body.size(); ++m) {
       if (distance_to_exit(parts_.surfaces.box(), body.position(m), radius_) <=
@@ -466,7 +467,7 @@ void TimeLoop::handle_rest() {
   const double limit = kRestSpeed * parts_.inlet_speed;
   const double wait = kRestTravel * radius_ / limit;
   for (std::size_t b = 0; b < state_.bodies.size() && !over_; ++b) {
-    Body& body = state_.bodies[b];
+    RigidBody& body = state_.bodies[b];
     const auto touching = std::count_if(
         integrator_.contacts().begin(), integrator_.contacts().end(),
         [&](const Contact& c) { return c.body == static_cast<int>(b); });
@@ -490,7 +491,7 @@ void TimeLoop::handle_rest() {
 }
 
 void TimeLoop::arrest(std::size_t index, std::size_t member) {
-  const Body body = state_.bodies[index];
+  const RigidBody body = state_.bodies[index];
   const BodyWrench held = parts_.motion.held_wrenches(state_.bodies)[index];
   state_.bodies.erase(state_.bodies.begin() + static_cast<std::ptrdiff_t>(index));
   const RetentionContext context{parts_.surfaces,
@@ -567,7 +568,7 @@ Forcing TimeLoop::thermal_forcing() const {
   forcing.step = 0.5 * reach * reach / diffusivity;
   std::vector<NearSurface> near;
   double fastest = 0.0;
-  for (const Body& body : state_.bodies) {
+  for (const RigidBody& body : state_.bodies) {
     for (std::size_t m = 0; m < body.size(); ++m) {
       fastest = std::max(fastest, norm(body.velocity_of(m)));
       parts_.surfaces.near(body.position(m), near);
@@ -586,7 +587,7 @@ Forcing TimeLoop::thermal_forcing() const {
     forcing.step = std::min(forcing.step, reach / fastest);
   }
   std::vector<Vector6> normals;
-  for (const Body& body : state_.bodies) {
+  for (const RigidBody& body : state_.bodies) {
     Vector6 six;
     for (int pair = 0; pair < kPairsPerBody; ++pair) {
       const auto draws = random_.normal_pair(
@@ -613,7 +614,7 @@ SeriesRow TimeLoop::series_row() const {
   row.permeability_ratio = row.permeability / first_permeability_;
   row.injected = state_.next_injection;
   row.delayed = static_cast<long>(state_.delayed.size());
-  for (const Body& body : state_.bodies) {
+  for (const RigidBody& body : state_.bodies) {
     row.mobile += static_cast<long>(body.size());
     row.bonded += body.bonded() ? static_cast<long>(body.size()) : 0;
   }
@@ -635,7 +636,7 @@ Frame TimeLoop::frame() const {
     out.colloids.push_back({static_cast<int>(colloid.colloid), colloid.position, Vec3{},
                             ColloidState::retained, 2.0 * radius_});
   }
-  for (const Body& body : state_.bodies) {
+  for (const RigidBody& body : state_.bodies) {
     for (std::size_t m = 0; m < body.size(); ++m) {
       out.colloids.push_back(
           {body.members[m].id, body.position(m), body.velocity_of(m),

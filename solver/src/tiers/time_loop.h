@@ -57,7 +57,7 @@ class TimeLoop {
   bool handle_broken_bonds();
   void handle_exits();
   void handle_rest();
-  void bond(Body& body, const Touch& touch);
+  void bond(RigidBody& body, const Touch& touch);
   void merge(std::size_t a, std::size_t b);
   void arrest(std::size_t body, std::size_t member);
   void observe(DepositBatch batch, bool solve);
