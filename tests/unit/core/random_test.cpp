@@ -34,12 +34,16 @@ TEST(Random, PutsSeedAndAddressIntoKeyAndCounter) {
             (std::array<std::uint64_t, 2>{0x94fdccebd16cfe09, 0x24126ea15001e420}));
 }
 
-// By hand from the first known answer, whose words are 0xe169c58d6627e8d5 and
-// 0x9b00dbd8bc57ac4c: the upper 52 bits, a one after them.
+// By hand from the first and third known answers, whose words are 0xe169c58d6627e8d5,
+// 0x9b00dbd8bc57ac4c and, the last, 0x24126ea15001e420: the upper 52 bits, a one after
+// them (the last word has a zero there).
 TEST(Random, TurnsBitsIntoExactlyThisDouble) {
   const auto [u, v] = Random(0).uniform_pair({static_cast<RandomPurpose>(0), 0, 0});
   EXPECT_EQ(u, 0x1c2d38b1acc4fdp-53);
   EXPECT_EQ(v, 0x13601b7b178af5p-53);
+  const RandomAddress third{static_cast<RandomPurpose>(0x03707344), 0x13198a2e,
+                            0x85a308d3243f6a88};
+  EXPECT_EQ(Random(0x299f31d0a4093822).uniform_pair(third)[1], 0x4824dd42a003dp-53);
 }
 
 struct Draw {
