@@ -51,7 +51,6 @@ Integrator::Integrator(const IntegratorOptions& options, const MotionModel& mode
 void Integrator::restore(double next_step, const IntegratorCounts& counts) {
   next_step_ = next_step;
   counts_ = counts;
-  fresh_ = false;
 }
 
 Motion Integrator::evaluate(const std::vector<RigidBody>& bodies,

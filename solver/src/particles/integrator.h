@@ -61,7 +61,7 @@ class Integrator {
   const Motion& motion() const { return motion_; }
 
   const IntegratorCounts& counts() const { return counts_; }
-  // For checkpoints: the step to try next, and the counts.
+  // For checkpoints: the step to try next, and the counts; after refresh().
   double next_step() const { return next_step_; }
   void restore(double next_step, const IntegratorCounts& counts);
 
