@@ -38,7 +38,7 @@ WallResistance wall_resistance(double gap_over_radius) {
   }
 
   const double x4 = (x * x) * (x * x);
-  return {1.0 / eps + f[0], f[1], x4 * f[2], f[3], f[4], f[5], f[6]};
+  return {1.0 / eps + f[0], f[1], x4 * f[2], f[3], f[4], f[5], f[6], f[7]};
 }
 
 FreeMotion free_in_shear(double gap_over_radius) {
