@@ -97,12 +97,14 @@ void ascending(int order, Visit visit) {
   }
 }
 
-std::vector<std::vector<double>> first_row(const Npq& numbers, int order, double factor) {
+/// The numbers of one n, which are known to k = order + 1 - n.
+std::vector<std::vector<double>> numbers_of(int n, const Npq& numbers, int order,
+                                            double factor) {
   std::vector<std::vector<double>> triangle;
-  for (int k = 0; k <= order; ++k) {
+  for (int k = 0; k <= order + 1 - n; ++k) {
     triangle.emplace_back();
     for (int q = 0; q <= k; ++q) {
-      triangle.back().push_back(factor * numbers.get(1, k - q, q));
+      triangle.back().push_back(factor * numbers.get(n, k - q, q));
     }
   }
   return triangle;
@@ -210,7 +212,8 @@ TwoSphereRecurrences::TwoSphereRecurrences(int order) : order_(order) {
   {
     Npq p(order);
     fill_axial(order, p);
-    xa_ = first_row(p, order, 1.0);
+    xa_ = numbers_of(1, p, order, 1.0);
+    along_ = numbers_of(2, p, order, 1.0);
   }
   {
     Npq p(order);
@@ -219,8 +222,9 @@ TwoSphereRecurrences::TwoSphereRecurrences(int order) : order_(order) {
     p.set(1, 0, 0, 1.0);
     v.set(1, 0, 0, 1.0);
     fill_transverse(order, p, v, q);
-    ya_ = first_row(p, order, 1.0);
-    yb_ = first_row(q, order, 2.0);
+    ya_ = numbers_of(1, p, order, 1.0);
+    across_ = numbers_of(2, p, order, 1.0);
+    yb_ = numbers_of(1, q, order, 2.0);
   }
   {
     Npq p(order);
@@ -228,12 +232,13 @@ TwoSphereRecurrences::TwoSphereRecurrences(int order) : order_(order) {
     Npq q(order);
     q.set(1, 0, 0, 1.0);
     fill_transverse(order, p, v, q);
-    yc_ = first_row(q, order, 1.0);
+    yc_ = numbers_of(1, q, order, 1.0);
+    turning_ = numbers_of(2, p, order, 1.0);
   }
   {
     Npq q(order);
     fill_spin(order, q);
-    xc_ = first_row(q, order, 1.0);
+    xc_ = numbers_of(1, q, order, 1.0);
   }
 }
 
@@ -242,6 +247,29 @@ TwoSphereSeries TwoSphereRecurrences::series(double ratio) const {
   return {weighted(xa_, ratio, false), weighted(ya_, ratio, false),
           weighted(yb_, ratio, false), weighted(xc_, ratio, true),
           weighted(yc_, ratio, true)};
+}
+
+StressletSeries TwoSphereRecurrences::stresslets_of_equal_spheres() const {
+  return {weighted(along_, 1.0, false), weighted(across_, 1.0, false),
+          weighted(turning_, 1.0, false)};
+}
+
+const TwoSphereRecurrences& two_sphere_recurrences() {
+  static const TwoSphereRecurrences kRecurrences(kTwoSphereOrder);
+  return kRecurrences;
+}
+
+double sum_without_lubrication(std::vector<double> coefficients, double u) {
+  for (int power = 0; power < 2; ++power) {
+    for (std::size_t m = coefficients.size() - 1; m > 0; --m) {
+      coefficients[m] += coefficients[m - 1];
+    }
+  }
+  double sum = 0.0;
+  for (std::size_t m = coefficients.size(); m-- > 0;) {
+    sum = sum * u + coefficients[m];
+  }
+  return sum / ((1.0 + u) * (1.0 + u));
 }
 
 }  // namespace colloid
