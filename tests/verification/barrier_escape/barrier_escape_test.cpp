@@ -264,10 +264,9 @@ TEST(BarrierEscape, IsInfiniteWhereNothingHoldsOrNothingAttaches) {
   EXPECT_THROW(barrier_escape(forces, analysis, {0.0, 0.0}), InputError);
 }
 
-// Two spheres: the partner is held.  A partner much larger than the colloid is a plate:
-// the curve's Derjaguin radius is 19/20 of it, so its barrier is set equal by the
-// potentials' being the same and compared by diffusivity alone: times agree to the 5 % of
-// the radius times the barrier's 2.6 kT and the well's half.
+// A held partner 19 times as large is nearly a plate.  Derjaguin's radius, and so the
+// curve, is 19/20 of the plate's: 5 % of at most 2.6 kT and of the well's half a kT; the
+// resistance differs by as much, which is another 5 %.
 TEST(BarrierEscape, TakesALargePartnerForAPlate) {
   SurfacePair two = small_colloid();
   two.shape = PairShape::two_spheres;
