@@ -40,7 +40,7 @@ struct Point {
 /// The well outside the barrier and what bounds it.
 struct Well {
   Point bottom;
-  Point top;           ///< highest point between the primary minimum and the bottom
+  Point top;         ///< highest point between the primary minimum and the bottom
   double outer_gap;  ///< of the curve's next maximum outside, or the last gap
 };
 
@@ -90,12 +90,22 @@ std::optional<Well> find_well(const Function& energy, double from, double to) {
 /// none.
 double reach(const Function& energy, Point from, double to, double difference) {
   constexpr int kSteps = 1000;
-  for (int i = 1; i < kSteps; ++i) {
-    const double gap = from.gap * std::pow(to / from.gap, double(i) / kSteps);
+  constexpr int kHalvings = 20;
+  const auto reached = [&](double gap) {
     const double rise = energy(gap) - from.energy;
-    if (difference > 0.0 ? rise > difference : rise < difference) {
+    return difference > 0.0 ? rise > difference : rise < difference;
+  };
+  double before = from.gap;
+  for (int i = 1; i < kSteps; ++i) {
+    double gap = from.gap * std::pow(to / from.gap, double(i) / kSteps);
+    if (reached(gap)) {
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (before + gap);
+        (reached(middle) ? gap : before) = middle;
+      }
       return gap;
     }
+    before = gap;
   }
   return to;
 }
@@ -108,8 +118,7 @@ Function normal_resistance(const SurfacePair& pair) {
     return [a = pair.radius](double gap) { return wall_resistance(gap / a).f_n; };
   }
   const double mean = 0.5 * (pair.radius + pair.other_radius);
-  const auto two =
-      std::make_shared<TwoSphereResistance>(pair.other_radius / pair.radius);
+  const auto two = std::make_shared<TwoSphereResistance>(pair.other_radius / pair.radius);
   return [mean, two](double gap) { return two->at(gap / mean).xa11; };
 }
 

@@ -23,14 +23,15 @@ struct BarrierEscape {
 /// and xa11 for a second sphere, held; radius and temperature are those of `forces`.
 ///
 /// It starts at the bottom of the well outside the barrier (the secondary minimum, or the
-/// place where the force holds the colloid against the barrier) and ends 60 kT downhill of
-/// the barrier or at the primary minimum.  The colloid stays: it is reflected at the top of
-/// the curve outside the well (a force away from the surface), or at a gap of one radius.
+/// place where the force holds the colloid against the barrier) and ends 60 kT downhill
+/// of the barrier or at the primary minimum.  The colloid stays: it is reflected at the
+/// top of the curve outside the well (a force away from the surface), or at a gap of one
+/// radius.
 ///
-/// Infinite without a primary minimum, where nothing holds the colloid outside the barrier,
-/// and beyond 1e300 s.  Where the curve goes downhill all the way the time is that from one
-/// Debye length outside the barrier of the curve without the force, or outside the primary
-/// minimum if there is none.
+/// Infinite without a primary minimum, where nothing holds the colloid outside the
+/// barrier, and beyond 1e300 s.  Where the curve goes downhill all the way the time is
+/// that from one Debye length outside the barrier of the curve without the force, or
+/// outside the primary minimum if there is none.
 ///
 /// About a millisecond; some tens of them where the curve spans thousands of kT.
 BarrierEscape barrier_escape(const SurfaceForces& forces, const PairAnalysis& analysis,

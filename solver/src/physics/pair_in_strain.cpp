@@ -12,9 +12,9 @@ namespace {
 constexpr int kDegree = 40;
 
 /// Sphere 1 at -s/2, sphere 2 at +s/2 on the z axis, a = 1, held in the strain E about
-/// their midpoint.  MODEL (R12), by the reciprocal theorem: the force in the strain is that
-/// of the translations of the centres and the first moments of the tractions when sphere 1
-/// moves; the latter's coefficients are scaled by their known leading terms:
+/// their midpoint.  MODEL (R12), by the reciprocal theorem: the force in the strain is
+/// that of the translations of the centres and the first moments of the tractions when
+/// sphere 1 moves; the latter's coefficients are scaled by their known leading terms:
 ///
 ///     F_z = -6 pi mu a^2 E_zz (s/2) f_along,    f_along  = xa11 - xa12 - 5/s^3 ...
 ///     F_x = -6 pi mu a^2 E_xz (s/2) f_across,   f_across = ya11 - ya12 - 16/(3 s^5) ...

@@ -12,7 +12,7 @@ namespace colloid {
 
 namespace {
 
-constexpr int kOrder = 150;  // of the series in 2/s
+constexpr int kOrder = kTwoSphereOrder;  // of the series in 2/s
 
 // Functions in the order of the rows: those even in u = 2/s, then the odd ones.
 enum Function : int {
@@ -155,18 +155,13 @@ std::vector<double> polynomial_of(const std::vector<double>& coefficients, int p
   return powers;
 }
 
-const TwoSphereRecurrences& recurrences() {
-  static const TwoSphereRecurrences kRecurrences(kOrder);
-  return kRecurrences;
-}
-
 }  // namespace
 
 TwoSphereResistance::TwoSphereResistance(double ratio) {
   require(ratio >= 0.05 && ratio <= 20.0, "two spheres",
           "the ratio of their radii must be in [0.05, 20]; beyond, one is a wall");
-  const TwoSphereSeries one = recurrences().series(ratio);
-  const TwoSphereSeries two = recurrences().series(1.0 / ratio);
+  const TwoSphereSeries one = two_sphere_recurrences().series(ratio);
+  const TwoSphereSeries two = two_sphere_recurrences().series(1.0 / ratio);
   const Lubrication g(ratio);
   const Lubrication h(1.0 / ratio);
   const double l = ratio;

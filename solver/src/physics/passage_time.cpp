@@ -13,8 +13,11 @@ namespace colloid {
 
 namespace {
 
-constexpr int kFirstCells = 200;    // uniform in ln h
-constexpr double kLargestStep = 0.125;  // of W/kT over one cell: Simpson errs by 1e-7
+constexpr int kFirstCells = 200;  // uniform in ln h
+// Of W/kT over one cell, and of its middle from the mean of its ends: of exp(W) Simpson's
+// rule then errs by 1e-7 on a slope and by 4e-7 on a top.
+constexpr double kLargestStep = 0.125;
+constexpr double kLargestBend = 0.0025;
 constexpr int kMostHalvings = 30;
 
 using Gauss = boost::math::quadrature::gauss<double, 7>;
@@ -36,7 +39,8 @@ void cut(const std::function<double(double)>& energy, const Point& from, const P
   const double h = 0.5 * (from.h + to.h);
   const Point middle{h, energy(h)};
   const double step = std::max(std::abs(middle.w - from.w), std::abs(to.w - middle.w));
-  if (2.0 * step <= kLargestStep || halvings == 0) {
+  const double bend = std::abs(middle.w - 0.5 * (from.w + to.w));
+  if ((2.0 * step <= kLargestStep && bend <= kLargestBend) || halvings == 0) {
     ends.push_back(to);
     return;
   }
@@ -56,7 +60,8 @@ std::vector<Point> cells(const std::function<double(double)>& energy, double fro
   return ends;
 }
 
-/// ln J, J(h) = exp(W(h)) int_h^reflecting exp(-W) dh', carried inwards over one interval.
+/// ln J, J(h) = exp(W(h)) int_h^reflecting exp(-W) dh', carried inwards over one
+/// interval.
 double inwards(const std::function<double(double)>& energy, double log_j,
                const Point& inner, const Point& outer) {
   const double inside = Gauss::integrate(

@@ -21,8 +21,8 @@ std::vector<double> alternating(std::vector<double> coefficients) {
   return coefficients;
 }
 
-/// Both spheres held: the prefactors of the functions 11 and 12, MODEL (R7), are such that
-/// the even and the odd terms of a series add up to the one series in -u.
+/// Both spheres held: the prefactors of the functions 11 and 12, MODEL (R7), are such
+/// that the even and the odd terms of a series add up to the one series in -u.
 ChebyshevSeries<3> drive_against_u(double ratio) {
   require(ratio >= 0.05 && ratio <= 20.0, "stream past a sphere",
           "the ratio of the radii must be in [0.05, 20]; beyond, one is a wall");

@@ -15,9 +15,9 @@
 // right one after multiplication.  All factors are 1 far away and finite at contact; n
 // tends to f_e, t to f_s and r to t_s of wall_resistance.h as the ratio grows.
 //
-// From the series of two_sphere_series.h, in which lubrication cancels.  Relative error at
-// contact: n, t, r 5e-5, 1e-6, 1e-6 for a ratio of 1; 4e-4, 6e-5, 2e-4 at 7; 2e-3, 2e-4,
-// 7e-4 at 20; a tenth of that from xi = 0.03 on.
+// From the series of two_sphere_series.h, in which lubrication cancels.  Relative error
+// at contact: n, t, r 5e-5, 1e-6, 1e-6 for a ratio of 1; 4e-4, 6e-5, 2e-4 at 7; 2e-3,
+// 2e-4, 7e-4 at 20; a tenth of that from xi = 0.03 on.
 #pragma once
 
 #include "physics/chebyshev.h"

@@ -13,10 +13,10 @@ struct TwoSphereSeries {
   std::vector<double> xa, ya, yb, xc, yc;
 };
 
-/// The same of the first moments (stresslets) of the tractions on both spheres, equal ones,
-/// when one of them moves along or across d or turns about an axis across it: the sums over
-/// q of P_{2(k-q)q} at [k], over 2^k.  Even k: on the moving sphere's neighbour for the two
-/// translations and on itself for the rotation; odd k: the other way round.
+/// The same of the first moments (stresslets) of the tractions on both spheres, equal
+/// ones, when one of them moves along or across d or turns about an axis across it: the
+/// sums over q of P_{2(k-q)q} at [k], over 2^k.  Even k: on the moving sphere's neighbour
+/// for the two translations and on itself for the rotation; odd k: the other way round.
 struct StressletSeries {
   std::vector<double> along, across, turning;
 };
@@ -47,9 +47,9 @@ constexpr int kTwoSphereOrder = 150;
 const TwoSphereRecurrences& two_sphere_recurrences();
 
 /// Sum of c_m u^m for 0 <= u <= 1 (contact) of spheres that do not move relative to each
-/// other: the poles and logarithms of lubrication cancel, and what the terms still have of
-/// them is a singularity at u = -1.  Multiplied by (1 + u)^2 and divided again, the sum
-/// converges at contact, to about 3e-5.
+/// other: the poles and logarithms of lubrication cancel, and what the terms still have
+/// of them is a singularity at u = -1.  Multiplied by (1 + u)^2 and divided again, the
+/// sum converges at contact, to about 3e-5.
 double sum_without_lubrication(std::vector<double> coefficients, double u);
 
 }  // namespace colloid

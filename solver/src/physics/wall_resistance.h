@@ -17,15 +17,16 @@
 // relate the force to u = A H^2 alone: their factor is f_e (1 + x^2/3), x = a/H, 3.23 at
 // contact.)
 //
-// so every factor is 1 in the bulk except the coupling t_t, which vanishes there.  (In
-// the notation of Goldman, Cox & Brenner, 1967: f_t = -F_t*, t_t = T_t* = 3/4 F_r*, t_r =
+// Every factor is 1 in the bulk except the coupling t_t, which vanishes there.  (In the
+// notation of Goldman, Cox & Brenner, 1967: f_t = -F_t*, t_t = T_t* = 3/4 F_r*, t_r =
 // -T_r*, f_s = F_s*, t_s = T_s*.)
 //
 // One smooth expression holds from contact to infinity, MODEL (R2): the lubrication terms
 // with their exact coefficients plus a polynomial, fitted to the exact series by
 // tables/wall_resistance.py.  Largest relative error 4e-6 (t_t) and 2e-7 (the others).
 // As eps -> 0: f_n ~ 1/eps, f_t ~ (8/15) ln(1/eps) + 0.95429, t_t ~ (1/10) ln(1/eps) -
-// 0.19295, t_r ~ (2/5) ln(1/eps) + 0.37089; f_s = 1.70062, t_s = 0.94399, t_n = 1.20206.
+// 0.19295, t_r ~ (2/5) ln(1/eps) + 0.37089; f_s = 1.70062, t_s = 0.94399, t_n = 1.20206,
+// f_e = 2.42200.
 #pragma once
 
 namespace colloid {

@@ -1,4 +1,4 @@
-// Problem    a sphere near a plane wall: seven resistance factors against the gap.
+// Problem    a sphere near a plane wall: eight resistance factors against the gap.
 // Reference  (a) Brenner's (1961) and Jeffery's (1915) series, summed here;
 //            (b) fundamental_solutions.csv: rings of Stokeslets with Blake's images,
 //            strengths by
@@ -10,13 +10,12 @@
 #include "physics/wall_resistance.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "csv_rows.h"
 
 namespace colloid {
 namespace {
@@ -25,24 +24,9 @@ namespace {
 constexpr double kFit = 3e-7;
 constexpr double kFitCoupling = 4e-6;
 
-std::vector<std::vector<double>> read_csv(const std::string& name) {
-  std::ifstream file(PORECLOG_SOURCE_DIR "/tests/verification/wall_resistance/" + name);
-  std::string line;
-  std::getline(file, line);  // header
-  std::vector<std::vector<double>> rows;
-  while (std::getline(file, line)) {
-    std::istringstream fields(line);
-    rows.emplace_back();
-    for (std::string field; std::getline(fields, field, ',');) {
-      rows.back().push_back(std::stod(field));
-    }
-  }
-  return rows;
-}
-
-// Columns 1 to 7 of both files: f_n, f_t, t_t, t_r, f_s, t_s, t_n.
+// Columns 1 to 8 of both files: f_n, f_t, t_t, t_r, f_s, t_s, t_n, f_e.
 std::vector<double> as_columns(const WallResistance& r) {
-  return {r.f_n, r.f_t, r.t_t, r.t_r, r.f_s, r.t_s, r.t_n};
+  return {r.f_n, r.f_t, r.t_t, r.t_r, r.f_s, r.t_s, r.t_n, r.f_e};
 }
 constexpr int kCoupling = 2;
 
@@ -86,14 +70,14 @@ TEST(WallResistance, NormalMotionIsBrennersAndJefferysSeries) {
 // The residual of the surface velocity, relative to the sphere's, is a column of the
 // file. Force and torque are functionals of the surface velocity with weights of order
 // one (the tractions of the rigid motions, all of one sign in the mean but peaked at the
-// gap), so an oscillating residual enters with at most its own size.  f_r, column 9,
+// gap), so an oscillating residual enters with at most its own size.  f_r, column 10,
 // tests reciprocity.
 TEST(WallResistance, AgreesWithFundamentalSolutions) {
-  const auto rows = read_csv("fundamental_solutions.csv");
+  const auto rows = csv_rows("wall_resistance/fundamental_solutions.csv");
   ASSERT_EQ(rows.size(), 5u);
   for (const auto& row : rows) {
     const double eps = row[0];
-    const double residual = row[8];
+    const double residual = row[9];
     ASSERT_LT(residual, 1e-6);
     const WallResistance r = wall_resistance(eps);
     const std::vector<double> found = as_columns(r);
@@ -101,14 +85,14 @@ TEST(WallResistance, AgreesWithFundamentalSolutions) {
       EXPECT_NEAR(found[i], row[i + 1], residual * std::max(1.0, found[i]) + kFit)
           << "eps " << eps << " column " << i;
     }
-    EXPECT_NEAR(4.0 / 3.0 * r.t_t, row[9], residual + kFit) << eps;
+    EXPECT_NEAR(4.0 / 3.0 * r.t_t, row[10], residual + kFit) << eps;
   }
 }
 
 TEST(WallResistance, FitHoldsBetweenTheGapsItWasMadeFrom) {
-  const auto rows = read_csv("series.csv");
+  const auto rows = csv_rows("wall_resistance/series.csv");
   ASSERT_EQ(rows.size(), 27u);
-  std::vector<double> largest(7, 0.0);
+  std::vector<double> largest(8, 0.0);
   for (const auto& row : rows) {
     const std::vector<double> found = as_columns(wall_resistance(row[0]));
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -118,7 +102,7 @@ TEST(WallResistance, FitHoldsBetweenTheGapsItWasMadeFrom) {
           << "eps " << row[0] << " column " << i;
     }
   }
-  const char* names[] = {"f_n", "f_t", "t_t", "t_r", "f_s", "t_s", "t_n"};
+  const char* names[] = {"f_n", "f_t", "t_t", "t_r", "f_s", "t_s", "t_n", "f_e"};
   for (std::size_t i = 0; i < largest.size(); ++i) {
     std::printf("%s: largest relative error %.1e\n", names[i], largest[i]);
   }
@@ -165,18 +149,21 @@ TEST(WallResistance, HasTheLogarithmsOfLubricationTheory) {
 
 // Constants at contact: f_n of Cox & Brenner (1967), f_s and t_s of O'Neill (1968), which
 // are exact for a touching sphere; t_n is zeta(3).  The remainder at eps = 1e-9 is
-// nothing.
+// nothing.  Goren & O'Neill (1971): f_e (1 + 1/3) = 3.23 for a touching sphere.
 TEST(WallResistance, HasTheConstantsOfContact) {
   const WallResistance r = wall_resistance(1e-9);
   EXPECT_NEAR(r.f_n - 1e9 - std::log(1e9) / 5.0, 0.97128, 2e-5);
   EXPECT_NEAR(r.f_s, 1.7005, 2e-4);  // O'Neill prints 1.7009, Goldman et al. 1.7005
   EXPECT_NEAR(r.t_s, 0.94399, 1e-5);
   EXPECT_NEAR(r.t_n, 1.2020569, kFit);
+  EXPECT_NEAR(r.f_e * 4.0 / 3.0, 3.23, 5e-3);
 }
 
 // Reflections: f_n to x^3, f_t to x^5, t_r = 1 + 5/16 x^3, t_s = 1 - 3/16 x^3,
-// t_n = 1/(1 - x^3/8), t_t = (3/32) x^4 (1 - 3/8 x), f_s = 1 + 9/16 x.  The bound is the
-// next power of x; of t_t it is relative.
+// t_n = 1/(1 - x^3/8), t_t = (3/32) x^4 (1 - 3/8 x), f_s = 1 + 9/16 x.  f_e is f_n in the
+// flow less what the image of the strain's stresslet, 20 pi mu a^3 A H along the normal,
+// sends back, (15/8) A a^3/H (a force dipole p: 3p/(32 pi mu H^2), Berke et al. 2008).
+// The bound is the next power of x; of t_t it is relative.
 TEST(WallResistance, HasTheFarField) {
   for (double height : {20.0, 50.0, 200.0}) {
     const double x = 1.0 / height;
@@ -193,12 +180,16 @@ TEST(WallResistance, HasTheFarField) {
     EXPECT_NEAR(r.t_s, 1.0 - 3.0 / 16.0 * std::pow(x, 3), std::pow(x, 4) + kFit);
     EXPECT_NEAR(r.f_s, 1.0 + 9.0 / 16.0 * x, x * x + kFit);
     EXPECT_NEAR(r.t_n, 1.0 / (1.0 - std::pow(x, 3) / 8.0), std::pow(x, 5) + kFit);
+    EXPECT_NEAR(r.f_e,
+                (1.0 - 15.0 / 8.0 * std::pow(x, 3)) /
+                    (1.0 - 9.0 / 8.0 * x + std::pow(x, 3) / 2.0),
+                std::pow(x, 4) + kFit);
   }
 }
 
 TEST(WallResistance, IsTheBulkAtInfinityAndFiniteAtTheSmallestGap) {
   const WallResistance bulk = wall_resistance(std::numeric_limits<double>::infinity());
-  const std::vector<double> expected = {1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0};
+  const std::vector<double> expected = {1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   const std::vector<double> found = as_columns(bulk);
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], expected[i], kFit) << i;

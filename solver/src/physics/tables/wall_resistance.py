@@ -12,6 +12,8 @@ Exact series, MODEL (R3)-(R5), gap eps = h/a:
         u_x = g(z), u_z = -omega rho cos(phi),
     by the recurrences of the Legendre functions and the equation of continuity; so one
     routine serves any rigid motion and the shear.
+  stagnation flow      Stimson & Jeffery's (1926) stream function, whose value and slope on
+    the sphere are those of rho^2 z^2 instead of rho^2; the force is linear in them
 Fit, for x = 1/(1 + eps), y = 1 - x, t = 2x - 1:
     f / x^m = pole/eps + (a_0 + a_1 y + a_2 y^2) ln(1/y) + polynomial of degree 12 in t.
 a_0 and a_1 are the known lubrication coefficients, a_2 and the polynomial are fitted by
@@ -37,6 +39,7 @@ FORMS = {
     "f_s": (0, 0, 0, 0),
     "t_s": (0, 0, 0, 0),
     "t_n": (0, 0, 0, -1 / 2),
+    "f_e": (0, 0, 0, 0),
 }
 
 
@@ -63,6 +66,40 @@ def spin(eps):
         if n > 3 and term < mpf("1e-22") * total:
             return total
         n += 1
+
+
+def stagnation(eps):
+    """Force in u_z = -A z^2, u_rho = A rho z over 6 pi mu a A (h^2 + a^2/3).
+
+    psi = (cosh xi - mu)^(-3/2) sum U_n(xi) V_n(mu); (1 - mu^2) (cosh xi - mu)^(-1/2) has the
+    coefficients Q_n.  On the sphere U_n = Q_n for a translation (rho^2), and
+    4/3 (Q_n'' - coth xi Q_n') for the stagnation flow (rho^2 z^2, in units of c).
+    """
+    alpha, h = mp.acosh(1 + eps), 1 + eps
+    sinh, coth = mp.sinh(alpha), mp.coth(alpha)
+    translation, flow, n = mpf(0), mpf(0), 1
+    while True:
+        p, q = n - mpf(1) / 2, n + mpf(3) / 2
+        ep, eq = mp.exp(-p * alpha), mp.exp(-q * alpha)
+        k = mpf(n * (n + 1)) / ((2 * n - 1) * (2 * n + 1) * (2 * n + 3))
+        both = k * (2 * n - 1) * (2 * n + 3) / 2
+        q0 = k * ((2 * n + 3) * ep - (2 * n - 1) * eq)
+        q1 = -both * (ep - eq)
+        q2 = both * (p * ep - q * eq)
+        q3 = -both * (p**2 * ep - q**2 * eq)
+        # U_n = A (cosh p xi - cosh q xi) + B (sinh p xi - p/q sinh q xi): no slip on the plane
+        a0, a1 = (1 / ep + ep - 1 / eq - eq) / 2, (p / ep - p * ep - q / eq + q * eq) / 2
+        b0 = (1 / ep - ep - p / q * (1 / eq - eq)) / 2
+        b1 = p * (1 / ep + ep - 1 / eq - eq) / 2
+        of = lambda value, slope: (2 * n + 1) * (1 - p / q) * (
+            a0 * slope - a1 * value) / (a0 * b1 - a1 * b0)
+        term = of(q2 - coth * q1, q3 - coth * q2 + q1 / sinh**2)
+        translation += of(q0, q1)
+        flow += term
+        if n * alpha > 5 and abs(term) < mpf("1e-22") * abs(flow):
+            break
+        n += 1
+    return brenner(eps) * mpf(4) / 3 * sinh**2 * flow / translation / (h**2 + mpf(1) / 3)
 
 
 class Bispherical:
@@ -148,7 +185,7 @@ def exact(eps):
         lambda n: c * root2 * (2 * n + 1) * e[n], none, mpf(1) / 2)
     assert abs(f_r / t_t + mpf(4) / 3) < mpf("1e-9"), "reciprocity"
     return {"eps": eps, "f_n": brenner(eps), "f_t": f_t, "t_t": t_t, "t_r": -t_r,
-            "f_s": f_s / h, "t_s": -2 * t_s, "t_n": spin(eps)}
+            "f_s": f_s / h, "t_s": -2 * t_s, "t_n": spin(eps), "f_e": stagnation(eps)}
 
 
 def sample_gaps():
@@ -177,18 +214,18 @@ def print_header(rows):
     fits = {name: fit(name, rows) for name in FORMS}
     print("// Written by physics/tables/wall_resistance.py from the exact series; not by hand.\n"
           "#pragma once\n\nnamespace colloid {\n")
-    print("// " + ", ".join(FORMS) + ", and one of zeros: an even number vectorises.\n"
-          f"constexpr int kWallFunctions = {len(FORMS) + 1};")
+    print("// " + ", ".join(FORMS) + ".\n"
+          f"constexpr int kWallFunctions = {len(FORMS)};")
     print(f"constexpr int kWallDegree = {DEGREE};\n")
     for row, label in enumerate(("ln(1/y)", "y ln(1/y)", "y^2 ln(1/y)")):
         numbers = [(f[2], f[3], fits[name][0])[row] for name, f in FORMS.items()]
         print(f"/// Coefficients of {label}.")
         print(f"constexpr double kWallLog{row}[kWallFunctions] = {{"
-              + ", ".join(f"{v:.17g}" for v in numbers + [0]) + "};\n")
+              + ", ".join(f"{v:.17g}" for v in numbers) + "};\n")
     print("/// Polynomials in t = 2x - 1; rows: power of t, columns: function.\n"
           "constexpr double kWallPolynomial[kWallDegree + 1][kWallFunctions] = {")
     for power in range(DEGREE + 1):
-        print("{" + ", ".join(f"{fits[name][1][power]:.17g}" for name in FORMS) + ", 0},")
+        print("{" + ", ".join(f"{fits[name][1][power]:.17g}" for name in FORMS) + "},")
     print("};\n\n}  // namespace colloid")
 
 
