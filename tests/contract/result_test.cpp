@@ -231,5 +231,33 @@ TEST(ResultContract, FileAndDocumentAgreeOnEveryNameTypeUnitAndValue) {
   EXPECT_EQ(output.text, "\n");
 }
 
+TEST(ResultContract, BecomesFilesForParaView) {
+  const TemporaryFolder folder;
+  const std::string result = folder.file("r.h5");
+  const std::string vtk = folder.file("new/vtk");
+  ResultFile(result, example_provenance(), throat_scene()).finish(example_realisation());
+  const Output written =
+      run_script("scripts/result_to_vtk.py", result + " " + vtk, folder);
+  ASSERT_EQ(written.exit_code, 0) << written.text;
+  EXPECT_EQ(written.text, "7 frames: open " + vtk + "/colloids.pvd in ParaView\n");
+  const Output compared =
+      run_script("tests/contract/vtk_files.py", result + " " + vtk, folder);
+  EXPECT_EQ(compared.exit_code, 0) << compared.text;
+}
+
+TEST(ResultContract, NothingUnfinishedBecomesFilesForParaView) {
+  const TemporaryFolder folder;
+  const ResultFile file(folder.file("r.h5"), example_provenance(), throat_scene());
+  const std::string vtk = folder.file("vtk");
+  for (const std::string& path : {file.part_path(), folder.file("none.h5")}) {
+    const Output output =
+        run_script("scripts/result_to_vtk.py", path + " " + vtk, folder);
+    EXPECT_EQ(output.exit_code, 2) << output.text;
+    EXPECT_EQ(output.text.rfind("result_to_vtk.py: " + path + ": ", 0), 0U)
+        << output.text;
+    EXPECT_FALSE(std::filesystem::exists(vtk));
+  }
+}
+
 }  // namespace
 }  // namespace colloid
