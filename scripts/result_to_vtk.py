@@ -11,7 +11,9 @@ SI units.  In ParaView, the representation "Point Gaussian" or the filter "Glyph
 scaled by diameter, factor 1) shows points as spheres.  state: 1 mobile, 2 bonded,
 3 retained, 4 traversed, 5 delayed.
 """
+import base64
 import pathlib
+import struct
 import sys
 
 import h5py
@@ -21,12 +23,14 @@ VTK_TYPES = {"float64": "Float64", "int64": "Int64", "int8": "Int8"}
 
 
 def data_array(name, values):
-    """An array of numbers, [n] or [n][3], as text that gives back the same bits."""
-    values = numpy.asarray(values)
+    """An array of numbers, [n] or [n][3]: its size in bytes and the bytes, in base64.
+    (As text it would break off at the first NaN, which VTK cannot parse.)"""
+    values = numpy.ascontiguousarray(values)
     components = 1 if values.ndim == 1 else values.shape[1]
-    text = " ".join(repr(number) for number in values.ravel().tolist())
+    raw = values.astype(values.dtype.newbyteorder("<")).tobytes()
+    text = base64.b64encode(struct.pack("<Q", len(raw)) + raw).decode()
     return (f'<DataArray type="{VTK_TYPES[values.dtype.name]}" Name="{name}" '
-            f'NumberOfComponents="{components}" format="ascii">{text}</DataArray>')
+            f'NumberOfComponents="{components}" format="binary">{text}</DataArray>')
 
 
 def write_points(path, points, arrays):

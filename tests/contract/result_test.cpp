@@ -210,7 +210,7 @@ void put_frames(json& values, const Realisation& realisation) {
 TEST(ResultContract, FileAndDocumentAgreeOnEveryNameTypeUnitAndValue) {
   const TemporaryFolder folder;
   const Scene scene = throat_scene();
-  const Realisation realisation = example_realisation();
+  const Realisation realisation = example_realisation(20);
   ResultFile(folder.file("r.h5"), example_provenance(), scene).finish(realisation);
 
   json values;
@@ -235,7 +235,10 @@ TEST(ResultContract, BecomesFilesForParaView) {
   const TemporaryFolder folder;
   const std::string result = folder.file("r.h5");
   const std::string vtk = folder.file("new/vtk");
-  ResultFile(result, example_provenance(), throat_scene()).finish(example_realisation());
+  Realisation realisation = example_realisation();
+  realisation.frames.back().colloids.back().velocity.x = kNotYet;
+  realisation.frames.back().colloids.back().state = ColloidState::mobile;
+  ResultFile(result, example_provenance(), throat_scene()).finish(realisation);
   const Output written =
       run_script("scripts/result_to_vtk.py", result + " " + vtk, folder);
   ASSERT_EQ(written.exit_code, 0) << written.text;

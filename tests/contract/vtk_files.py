@@ -5,6 +5,7 @@
 Reads the XML as the VTK file formats document describes it, number by number.  Prints one
 line per difference.
 """
+import base64
 import pathlib
 import sys
 import xml.etree.ElementTree as xml
@@ -12,20 +13,23 @@ import xml.etree.ElementTree as xml
 import h5py
 import numpy
 
-CONVERT = {"Float64": float, "Int64": int, "Int8": int}
+TYPES = {"Float64": "<f8", "Int64": "<i8", "Int8": "<i1"}
 
 
 def arrays_of(path):
     """Every data array of the one piece, by name, and its number of points."""
     root = xml.parse(path).getroot()
     assert root.tag == "VTKFile" and root.get("type") == "PolyData", path
+    assert (root.get("header_type"), root.get("byte_order")) == ("UInt64", "LittleEndian")
     (piece,) = root.findall("PolyData/Piece")
     arrays = {}
     for array in piece.iter("DataArray"):
-        values = [CONVERT[array.get("type")](word) for word in (array.text or "").split()]
-        arrays[array.get("Name")] = numpy.reshape(
-            values, (-1, int(array.get("NumberOfComponents")))).squeeze(
-                axis=1 if array.get("NumberOfComponents") == "1" else ())
+        raw = base64.b64decode(array.text, validate=True)
+        assert int.from_bytes(raw[:8], "little") == len(raw) - 8, path
+        values = numpy.frombuffer(raw[8:], TYPES[array.get("type")])
+        components = int(array.get("NumberOfComponents"))
+        arrays[array.get("Name")] = values if components == 1 else values.reshape(
+            (-1, components))
     assert len(piece.findall("Points/DataArray")) == 1, path
     return arrays, int(piece.get("NumberOfPoints")), int(piece.get("NumberOfVerts"))
 
@@ -53,7 +57,7 @@ def differences(result, folder):
             yield f"{name}: {points} points, {vertices} vertices, arrays {sorted(found)}"
             continue
         for key, values in wanted.items():
-            if not numpy.array_equal(found[key], values):
+            if found[key].tobytes() != numpy.ascontiguousarray(values).tobytes():
                 yield f"{name}: {key} is {found[key]}, should be {values}"
     if shown == 0:
         yield "no colloid in any frame"
