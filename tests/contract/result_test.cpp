@@ -210,7 +210,7 @@ void put_frames(json& values, const Realisation& realisation) {
 TEST(ResultContract, FileAndDocumentAgreeOnEveryNameTypeUnitAndValue) {
   const TemporaryFolder folder;
   const Scene scene = throat_scene();
-  const Realisation realisation = example_realisation();
+  const Realisation realisation = example_realisation(20);
   ResultFile(folder.file("r.h5"), example_provenance(), scene).finish(realisation);
 
   json values;
@@ -229,6 +229,37 @@ TEST(ResultContract, FileAndDocumentAgreeOnEveryNameTypeUnitAndValue) {
                  folder);
   EXPECT_EQ(output.exit_code, 0) << output.text;
   EXPECT_EQ(output.text, "\n");
+}
+
+TEST(ResultContract, BecomesFilesForParaView) {
+  const TemporaryFolder folder;
+  const std::string result = folder.file("r.h5");
+  const std::string vtk = folder.file("new/vtk");
+  Realisation realisation = example_realisation();
+  realisation.frames.back().colloids.back().velocity.x = kNotYet;
+  realisation.frames.back().colloids.back().state = ColloidState::mobile;
+  ResultFile(result, example_provenance(), throat_scene()).finish(realisation);
+  const Output written =
+      run_script("scripts/result_to_vtk.py", result + " " + vtk, folder);
+  ASSERT_EQ(written.exit_code, 0) << written.text;
+  EXPECT_EQ(written.text, "7 frames: open " + vtk + "/colloids.pvd in ParaView\n");
+  const Output compared =
+      run_script("tests/contract/vtk_files.py", result + " " + vtk, folder);
+  EXPECT_EQ(compared.exit_code, 0) << compared.text;
+}
+
+TEST(ResultContract, NothingUnfinishedBecomesFilesForParaView) {
+  const TemporaryFolder folder;
+  const ResultFile file(folder.file("r.h5"), example_provenance(), throat_scene());
+  const std::string vtk = folder.file("vtk");
+  for (const std::string& path : {file.part_path(), folder.file("none.h5")}) {
+    const Output output =
+        run_script("scripts/result_to_vtk.py", path + " " + vtk, folder);
+    EXPECT_EQ(output.exit_code, 2) << output.text;
+    EXPECT_EQ(output.text.rfind("result_to_vtk.py: " + path + ": ", 0), 0U)
+        << output.text;
+    EXPECT_FALSE(std::filesystem::exists(vtk));
+  }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -37,13 +36,14 @@ std::string header_of(std::string_view image) {
 std::string file_content(const std::string& path) {
   std::error_code ignored;
   require(std::filesystem::exists(path, ignored), path, "there is no such checkpoint");
-  require(!std::filesystem::is_directory(path, ignored), path,
-          "is a folder, expected a checkpoint");
+  require(std::filesystem::is_regular_file(path, ignored), path,
+          "is a folder or device, expected a checkpoint");
   std::ifstream file(path, std::ios::binary);
   require(file.is_open(), path,
           [] { return "cannot be opened: " + std::generic_category().message(errno); });
-  std::string content{std::istreambuf_iterator<char>(file), {}};
-  require(!file.bad(), path, "cannot be read");
+  std::string content(std::filesystem::file_size(path), '\0');
+  file.read(content.data(), static_cast<std::streamsize>(content.size()));
+  require(file.good() || content.empty(), path, "cannot be read");
   return content;
 }
 

@@ -11,6 +11,7 @@ namespace colloid {
 namespace {
 
 constexpr unsigned kDeflateLevel = 4;       // of 9; more gains a few per cent
+constexpr hsize_t kPackedBytes = 4096;      // below, the index outweighs the gain
 constexpr hsize_t kChunkBytes = 256 << 10;  // fits the library's cache of 1 MiB
 
 H5Handle word_type(const std::vector<std::string>& words) {
@@ -22,11 +23,16 @@ H5Handle word_type(const std::vector<std::string>& words) {
   return type;
 }
 
+/// Of the indices [begin, end) of an array of values of `value_size` bytes.
+hsize_t byte_count(Shape::const_iterator begin, Shape::const_iterator end,
+                   std::size_t value_size) {
+  return std::accumulate(begin, end, hsize_t{value_size}, std::multiplies<>());
+}
+
 /// Whole rows (first index) of at most kChunkBytes, one row at least.
 Shape chunk_of(const Shape& shape, std::size_t value_size) {
   Shape chunk = shape;
-  const hsize_t row = std::accumulate(shape.begin() + 1, shape.end(), hsize_t{value_size},
-                                      std::multiplies<>());
+  const hsize_t row = byte_count(shape.begin() + 1, shape.end(), value_size);
   chunk[0] = std::clamp<hsize_t>(kChunkBytes / row, 1, shape[0]);
   return chunk;
 }
@@ -45,8 +51,9 @@ void put_dataset(const H5Handle& group, const std::string& name, const Label& la
 void put_array(const H5Handle& group, const std::string& name, const Label& label,
                hid_t type, const Shape& shape, const void* values) {
   const H5Handle creation = timeless(H5P_DATASET_CREATE);
-  if (std::find(shape.begin(), shape.end(), 0U) == shape.end()) {
-    const Shape chunk = chunk_of(shape, H5Tget_size(type));
+  const std::size_t value_size = H5Tget_size(type);
+  if (byte_count(shape.begin(), shape.end(), value_size) >= kPackedBytes) {
+    const Shape chunk = chunk_of(shape, value_size);
     checked(H5Pset_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data()));
     checked(H5Pset_shuffle(creation.id()));
     checked(H5Pset_deflate(creation.id(), kDeflateLevel));

@@ -18,7 +18,7 @@ struct Label {
 };
 
 /// `values` in C order, product of `shape` of them.  Chunked and compressed (shuffle,
-/// deflate) unless empty.
+/// deflate) from 4 KiB on.
 void put_array(const H5Handle& group, const std::string& name, const Label& label,
                const Shape& shape, const std::vector<double>& values);
 void put_array(const H5Handle& group, const std::string& name, const Label& label,
