@@ -450,6 +450,54 @@ void StokesSolver::solve_mean_velocity() {
   superpose_flow();
 }
 
+std::vector<double> StokesSolver::state() const {
+  std::vector<double> state{grid_force_.x, grid_force_.y, grid_force_.z};
+  for (const StokesVector<double>* fields : {&x_, &unit_[0], &unit_[1], &unit_[2]}) {
+    state.push_back(static_cast<double>(fields->a[0].size()));
+    for (const auto& values : fields->a) {
+      state.insert(state.end(), values.begin(), values.end());
+    }
+  }
+  return state;
+}
+
+void StokesSolver::restore(const std::vector<double>& state) {
+  const std::size_t size = rows_->grid().size;
+  std::size_t next = 0;
+  const auto take = [&] {
+    require(next < state.size(), "flow state", "is cut short");
+    return state[next++];
+  };
+  Vec3 force;
+  for (int a = 0; a < 3; ++a) {
+    force[a] = take();
+  }
+  std::array<StokesVector<double>, 4> fields;
+  for (auto& field : fields) {
+    const double count = take();
+    if (count == 0.0) {
+      continue;
+    }
+    require(count == static_cast<double>(size), "flow state",
+            "belongs to another grid: " + std::to_string(static_cast<long long>(count)) +
+                " entries an array, expected " + std::to_string(size));
+    require(state.size() - next >= 4 * size, "flow state", "is cut short");
+    for (auto& values : field.a) {
+      const auto from = state.begin() + static_cast<std::ptrdiff_t>(next);
+      values.assign(from, from + static_cast<std::ptrdiff_t>(size));
+      next += size;
+    }
+  }
+  require(next == state.size(), "flow state", "has more values than this grid");
+  require(!fields[0].a[0].empty(), "flow state", "has no flow in it");
+  grid_force_ = force;
+  x_ = std::move(fields[0]);
+  for (std::size_t a = 0; a < 3; ++a) {
+    unit_[a] = std::move(fields[a + 1]);
+  }
+  superpose_flow();
+}
+
 Vec3 StokesSolver::mean_velocity(const StokesVector<double>& x) const {
   const Grid& grid = rows_->grid();
   Vec3 mean;

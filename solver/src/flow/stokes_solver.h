@@ -25,6 +25,13 @@ class StokesSolver {
   /// The deposit grew.  The next solve() starts from the flow before.
   void add_spheres(const std::vector<Sphere>& spheres);
 
+  /// All that the next solve() depends on besides the spheres and the batches in which
+  /// they were added.
+  std::vector<double> state() const;
+  /// Continues where a solver of the same problem and history was when it gave `state`;
+  /// refuses (InputError) the state of another grid.
+  void restore(const std::vector<double>& state);
+
   const StokesStatistics& statistics() const { return statistics_; }
   const StokesProblem& problem() const { return problem_; }
 
