@@ -20,7 +20,8 @@ struct KrylovOptions {
 struct KrylovStatistics {
   bool converged = false;
   int iterations = 0;
-  double residual = 0.0;  ///< true, 2-norm
+  double residual = 0.0;          ///< true, 2-norm
+  double residual_seconds = 0.0;  ///< processor time of the fastest evaluation of it
 };
 
 /// The solver and its vectors, which are kept from one solve to the next.

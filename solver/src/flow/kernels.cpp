@@ -4,7 +4,13 @@
 
 namespace colloid {
 
+// Small loops of a kernel: inlined, so that they are compiled once per instruction set.
+#define PORECLOG_INLINE inline __attribute__((always_inline))
+
 namespace {
+
+// Sums are kept in this many parts.
+constexpr std::size_t kLanes = 8;
 
 // Whole blocks; written so that the compiler sees the multiple.
 std::size_t row_length(const LevelView& m) {
@@ -96,7 +102,8 @@ void residual_plane(const LevelView& m, const StokesVector<In>& u,
   balance_plane<true>(m, u, f, r, k);
 }
 
-void minus_apply_plane(const LevelView& m, const StokesVector<float>& z,
+template <class In>
+void minus_apply_plane(const LevelView& m, const StokesVector<In>& z,
                        StokesVector<double>& w, int k) {
   balance_plane<false>(m, z, w, w, k);
 }
@@ -209,52 +216,81 @@ PORECLOG_CLONES void correct_plane(const LevelView& m, const StokesVector<float>
   }
 }
 
+// Adds the products of two rows to kLanes sums, in a fixed order.
+template <class A, class B>
+PORECLOG_INLINE void add_products(const A* x, const B* y, std::size_t n, double* sum) {
+  std::size_t i = 0;
+  for (; i + kLanes <= n; i += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      sum[lane] += static_cast<double>(x[i + lane]) * static_cast<double>(y[i + lane]);
+    }
+  }
+  for (; i < n; ++i) {
+    sum[0] += static_cast<double>(x[i]) * static_cast<double>(y[i]);
+  }
+}
+
+PORECLOG_INLINE double total(const double* sum) {
+  double all = 0.0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    all += sum[lane];
+  }
+  return all;
+}
+
 template <class A, class B>
 PORECLOG_CLONES double dot_plane(const LevelView& m, const StokesVector<A>& a,
                                  const StokesVector<B>& b, int k) {
-  constexpr std::size_t kLanes = 8;
   std::array<double, kLanes> sum{};
-  const std::size_t n = static_cast<std::size_t>(m.end[0]);  // no halos in sums
+  const auto n = static_cast<std::size_t>(m.end[0]);  // no halos in sums
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
       const std::size_t at = m.row(j, k);
-      const A* __restrict x = a[c] + at;
-      const B* __restrict y = b[c] + at;
-      std::size_t i = 0;
-      for (; i + kLanes <= n; i += kLanes) {
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          sum[lane] +=
-              static_cast<double>(x[i + lane]) * static_cast<double>(y[i + lane]);
-        }
-      }
-      for (; i < n; ++i) {
-        sum[0] += static_cast<double>(x[i]) * static_cast<double>(y[i]);
+      add_products(a[c] + at, b[c] + at, n, sum.data());
+    }
+  }
+  return total(sum.data());
+}
+
+PORECLOG_CLONES void dots_plane(const LevelView& m, const StokesVector<double>& w,
+                                const StokesVector<float>* v, std::size_t count,
+                                double* sum, int k) {
+  std::vector<double> lanes(count * kLanes, 0.0);
+  const auto n = static_cast<std::size_t>(m.end[0]);
+  for (int c = 0; c < 4; ++c) {
+    for (int j = 0; j < m.end[1]; ++j) {
+      const std::size_t at = m.row(j, k);
+      for (std::size_t i = 0; i < count; ++i) {
+        add_products(w[c] + at, v[i][c] + at, n, lanes.data() + i * kLanes);
       }
     }
   }
-  double total = 0.0;
-  for (double s : sum) {
-    total += s;
+  for (std::size_t i = 0; i < count; ++i) {
+    sum[i] = total(lanes.data() + i * kLanes);
   }
-  return total;
 }
 
-template <class X, class Y>
-PORECLOG_CLONES void axpy_plane(const LevelView& m, double s, const StokesVector<X>& x,
-                                StokesVector<Y>& y, int k) {
+PORECLOG_CLONES double combine_plane(const LevelView& m, const double* s,
+                                     const StokesVector<float>* v, std::size_t count,
+                                     StokesVector<double>& y, int k) {
+  std::array<double, kLanes> sum{};
   const std::size_t n = row_length(m);
   for (int c = 0; c < 4; ++c) {
     for (int j = 0; j < m.end[1]; ++j) {
       const std::size_t at = m.row(j, k);
-      const X* __restrict in = x[c] + at;
-      Y* __restrict out = y[c] + at;
+      double* __restrict out = y[c] + at;
+      for (std::size_t i = 0; i < count; ++i) {
+        const float* __restrict in = v[i][c] + at;
+        const double factor = s[i];
 #pragma GCC ivdep
-      for (std::size_t i = 0; i < n; ++i) {
-        out[i] =
-            static_cast<Y>(static_cast<double>(out[i]) + s * static_cast<double>(in[i]));
+        for (std::size_t q = 0; q < n; ++q) {
+          out[q] += factor * static_cast<double>(in[q]);
+        }
       }
+      add_products(out, out, static_cast<std::size_t>(m.end[0]), sum.data());
     }
   }
+  return total(sum.data());
 }
 
 template <class X, class Y>
@@ -282,7 +318,8 @@ template void residual_plane(const LevelView&, const F&, const F&, F&, int);
 template void residual_plane(const LevelView&, const D&, const D&, D&, int);
 template double dot_plane(const LevelView&, const D&, const F&, int);
 template double dot_plane(const LevelView&, const D&, const D&, int);
-template void axpy_plane(const LevelView&, double, const F&, D&, int);
+template void minus_apply_plane(const LevelView&, const F&, D&, int);
+template void minus_apply_plane(const LevelView&, const D&, D&, int);
 template void scaled_copy_plane(const LevelView&, double, const D&, F&, int);
 
 }  // namespace colloid

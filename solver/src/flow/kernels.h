@@ -16,7 +16,8 @@ void residual_plane(const LevelView& m, const StokesVector<In>& u,
                     const StokesVector<Out>& f, StokesVector<Out>& r, int k);
 
 /// w = -M z on one plane: the residual for a right-hand side of zero.
-void minus_apply_plane(const LevelView& m, const StokesVector<float>& z,
+template <class In>
+void minus_apply_plane(const LevelView& m, const StokesVector<In>& z,
                        StokesVector<double>& w, int k);
 
 /// First step of the pressure of a Braess-Sarazin sweep: b = D r/d - alpha r_p, and one
@@ -37,10 +38,13 @@ template <class A, class B>
 double dot_plane(const LevelView& m, const StokesVector<A>& a, const StokesVector<B>& b,
                  int k);
 
-/// y += s x on one plane.
-template <class X, class Y>
-void axpy_plane(const LevelView& m, double s, const StokesVector<X>& x,
-                StokesVector<Y>& y, int k);
+/// sum[i] = dot_plane of w and v[i], i < count: rows of w stay in the cache.
+void dots_plane(const LevelView& m, const StokesVector<double>& w,
+                const StokesVector<float>* v, std::size_t count, double* sum, int k);
+
+/// y += s[0] v[0] + .. + s[count - 1] v[count - 1] on one plane; returns dot_plane(y, y).
+double combine_plane(const LevelView& m, const double* s, const StokesVector<float>* v,
+                     std::size_t count, StokesVector<double>& y, int k);
 
 /// y = s x on one plane.
 template <class X, class Y>

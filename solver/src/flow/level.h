@@ -62,6 +62,14 @@ void fill_halos(const Grid& grid, StokesVector<Real>& x) {
   }
 }
 
+/// Makes x zero where an unknown was closed.
+template <class Real>
+void clear_entries(const std::vector<Entry>& closed, StokesVector<Real>& x) {
+  for (const Entry& e : closed) {
+    x.a[e.component][e.at] = Real(0);
+  }
+}
+
 LevelView view(const WallRows& rows);
 
 }  // namespace colloid

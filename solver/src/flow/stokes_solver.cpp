@@ -1,9 +1,7 @@
 #include "flow/stokes_solver.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -12,6 +10,7 @@
 #include <Eigen/Dense>
 
 #include "core/error.h"
+#include "flow/clock.h"
 #include "flow/connectivity.h"
 #include "flow/halo.h"
 #include "flow/kernels.h"
@@ -21,9 +20,6 @@ namespace colloid {
 namespace {
 
 using Kind = FlowDrive::Kind;
-
-// Evaluations timed for the work unit.
-constexpr std::size_t kTimedResiduals = 5;
 
 // Transverse response, relative, below which an axis needs no force to hold its mean
 // zero.
@@ -36,20 +32,10 @@ constexpr int kInletSamples = 16;
 // Part of an inlet's width, next to a wall, left out of its mean pressure.
 constexpr double kCoreMargin = 0.25;
 
-double now() {
-  return std::chrono::duration<double>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
 std::string scientific(double value) {
   std::ostringstream text;
   text << std::scientific << std::setprecision(2) << value;
   return text.str();
-}
-
-double cpu_now() {
-  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
 FlowFaces make_faces(const StokesProblem& problem, double pressure_unit) {
@@ -123,7 +109,7 @@ StokesSolver::StokesSolver(const StokesProblem& problem, const StokesOptions& op
 }
 
 void StokesSolver::build() {
-  const double start = now();
+  const double start = wall_seconds();
   faces_ = make_faces(problem_, pressure_unit());
   std::array<bool, 3> periodic{};
   for (int a = 0; a < 3; ++a) {
@@ -142,12 +128,19 @@ void StokesSolver::build() {
   const std::size_t size = rows_->grid().size;
   x_ = StokesVector<double>(size);
   flow_ = StokesVector<double>(size);
+  lift_ = StokesVector<double>(size);
+  drive_ = StokesVector<double>(size);
+  near_given_.assign(static_cast<std::size_t>(view(*rows_).end[2]), false);
+  if (problem_.drive.kind == Kind::body_force) {
+    grid_force_ = problem_.drive.body_force * (length_ / pressure_unit());
+  }
   make_lift();
-  statistics_.setup_seconds = now() - start;
+  make_drive();
+  statistics_.setup_seconds = wall_seconds() - start;
 }
 
 void StokesSolver::add_spheres(const std::vector<Sphere>& spheres) {
-  const double start = now();
+  const double start = wall_seconds();
   std::vector<Sphere> added;
   for (const Sphere& s : spheres) {
     problem_.spheres.push_back(s);
@@ -158,22 +151,14 @@ void StokesSolver::add_spheres(const std::vector<Sphere>& spheres) {
   connect();
   multigrid_->add(added);
   make_lift();
-  // Velocities that the new surface closed are zero from now on.
-  const auto clear = [&](StokesVector<double>& x) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto& open = rows_->coefficients().row_scale[c];
-      for (std::size_t q = 0; q < x.a[c].size(); ++q) {
-        x.a[c][q] = open[q] > 0.0F ? x.a[c][q] : 0.0;
-      }
-    }
-  };
-  clear(x_);
+  make_drive();
+  clear_entries(rows_->closed_entries(), x_);
   for (auto& u : unit_) {
     if (!u.a[0].empty()) {
-      clear(u);
+      clear_entries(rows_->closed_entries(), u);
     }
   }
-  statistics_.setup_seconds = now() - start;
+  statistics_.setup_seconds = wall_seconds() - start;
 }
 
 // Every inlet with a given flux must reach an outlet.
@@ -196,22 +181,23 @@ void StokesSolver::connect() {
       }
     });
   }
+  Connectivity regions(*rows_, true);
   const auto open = [&] {
     if (!in.empty() || problem_.drive.kind == Kind::inlet_velocity) {
-      return Connectivity(*rows_, true).joined(in, out);
+      return regions.joined(in, out);
     }
     const int axis = flow_axis();
     return axis < 0 || !problem_.box.periodic(axis) || winds_around(*rows_, axis);
   };
   if (!open()) {
     statistics_.subgrid_openings = open_subgrid_throats(*rows_, grid_spheres_);
+    regions = Connectivity(*rows_, true);
     blocked_ = !open();
     require(!blocked_ || problem_.drive.kind != Kind::inlet_velocity,
             "/drive/inlet_velocity",
             "the way from the inlet to the outlet is blocked, no flux can be held; a "
             "pressure_drop can");
   }
-  Connectivity regions(*rows_, true);
   std::vector<bool> reaches(grid.size, false);
   for (std::size_t cell : out) {
     reaches[regions.label(cell)] = true;
@@ -252,7 +238,21 @@ double StokesSolver::open_fraction(int component, const std::array<int, 3>& at) 
 
 void StokesSolver::make_lift() {
   const Grid& grid = rows_->grid();
-  lift_ = StokesVector<double>(grid.size);
+  clear_entries(given_, lift_);
+  given_.clear();
+  const auto give = [&](int component, std::size_t at, int k, double value) {
+    if (value == 0.0) {
+      return;
+    }
+    const auto c = static_cast<std::size_t>(component);
+    lift_.a[c][at] = value;
+    given_.push_back({c, at});
+    for (int plane = k - 1; plane <= k + 1; ++plane) {
+      if (plane >= 0 && plane < static_cast<int>(near_given_.size())) {
+        near_given_[static_cast<std::size_t>(plane)] = true;
+      }
+    }
+  };
   for (int f = 0; f < kFaces; ++f) {
     const FlowFace& face = faces_[static_cast<std::size_t>(f)];
     const int axis = axis_of(f);
@@ -263,15 +263,14 @@ void StokesSolver::make_lift() {
       const auto ghost =
           static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + beyond);
       if (face.kind == FlowFace::Kind::pressure) {
-        lift_.a[pressure][ghost] = face.pressure;
+        give(pressure, ghost, at[2], face.pressure);
       } else if (face.kind == FlowFace::Kind::velocity) {
         for (int c = 0; c < 3; ++c) {
           if (c != axis) {
-            lift_.a[static_cast<std::size_t>(c)][ghost] = face.velocity[c];
+            give(c, ghost, at[2], face.velocity[c]);
           } else if (face.velocity[c] != 0.0 && inlet_open_[cell] &&
                      rows_->coefficients().cell_scale[cell] > 0.0F) {
-            lift_.a[static_cast<std::size_t>(c)][q] =
-                face.velocity[c] * open_fraction(axis, at);
+            give(c, q, at[2], face.velocity[c] * open_fraction(axis, at));
           }
         }
       }
@@ -279,46 +278,74 @@ void StokesSolver::make_lift() {
   }
 }
 
-StokesVector<double> StokesSolver::force_rows(const Vec3& force) const {
-  StokesVector<double> b(rows_->grid().size);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto& scale = rows_->coefficients().row_scale[c];
-    const double f = force[static_cast<int>(c)];
-    if (f != 0.0) {
-      for (std::size_t q = 0; q < scale.size(); ++q) {
-        b.a[c][q] = f * static_cast<double>(scale[q]);
+// drive = S f - M lift in open rows and cells; the second part only in planes that see
+// given values: for an inlet across z two or three of them.
+void StokesSolver::make_drive() {
+  const Grid& grid = rows_->grid();
+  const LevelView level = view(*rows_);
+  const auto& m = rows_->coefficients();
+  double square = 0.0;
+  for (int k = 0; k < level.end[2]; ++k) {
+    const bool near_given = near_given_[static_cast<std::size_t>(k)];
+    if (!near_given && dot(grid_force_, grid_force_) == 0.0) {
+      continue;
+    }
+    if (near_given) {
+      minus_apply_plane(level, lift_, drive_, k);
+    }
+    const std::size_t begin = grid.index(-1, -1, k);
+    const std::size_t end = begin + static_cast<std::size_t>(grid.stride_z);
+    for (std::size_t c = 0; c < 4; ++c) {
+      const auto& open = c < 3 ? m.row_scale[c] : m.cell_scale;
+      const double force = c < 3 ? grid_force_[static_cast<int>(c)] : 0.0;
+      auto& b = drive_.a[c];
+      for (std::size_t q = begin; q < end; ++q) {
+        const double inner = near_given && open[q] > 0.0F ? b[q] : 0.0;
+        b[q] = inner + force * static_cast<double>(open[q]);
       }
     }
+    square += dot_plane(level, drive_, drive_, k);
   }
-  return b;
+  drive_norm_ = std::sqrt(square);
+}
+
+void StokesSolver::superpose_flow() {
+  for (std::size_t c = 0; c < 4; ++c) {
+    auto& flow = flow_.a[c];
+    if (problem_.drive.kind != Kind::mean_velocity) {
+      flow = x_.a[c];
+      continue;
+    }
+    std::fill(flow.begin(), flow.end(), 0.0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double force = grid_force_[static_cast<int>(axis)];
+      if (force != 0.0) {
+        for (std::size_t q = 0; q < flow.size(); ++q) {
+          flow[q] += force * unit_[axis].a[c][q];
+        }
+      }
+    }
+    fill_halo(rows_->grid(), flow.data());
+  }
+  for (const Entry& e : given_) {
+    flow_.a[e.component][e.at] += lift_.a[e.component][e.at];
+  }
 }
 
 void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<double>& x,
                                 double scale, double tolerance) {
-  const LevelView level = view(*rows_);
   KrylovOptions krylov;
   krylov.target = tolerance * scale;
   krylov.max_iterations = options_.max_iterations;
   krylov.threads = options_.threads;
-  const double start = now();
-  const double cpu_start = cpu_now();
+  const double start = wall_seconds();
+  const double cpu_start = processor_seconds();
   const auto precondition = [&](const StokesVector<float>& r, StokesVector<float>& z) {
     multigrid_->apply(r, z);
   };
   const KrylovStatistics found = krylov_->solve(b, x, precondition, krylov);
-  const double cpu_seconds = cpu_now() - cpu_start;
-  const double seconds = now() - start;
-
-  // Work units by processor time: other programs on the machine do not change the ratio.
-  StokesVector<double> r(rows_->grid().size);
-  std::array<double, kTimedResiduals> times{};
-  for (double& time : times) {
-    const double begin = cpu_now();
-    true_residual(*rows_, level, x, b, r, options_.threads);
-    time = cpu_now() - begin;
-  }
-  std::sort(times.begin(), times.end());
-  const double residual_seconds = times[kTimedResiduals / 2];
+  const double cpu_seconds = processor_seconds() - cpu_start;
+  const double seconds = wall_seconds() - start;
 
   statistics_.converged = statistics_.converged && found.converged;
   statistics_.iterations += found.iterations;
@@ -326,9 +353,10 @@ void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<doub
   statistics_.relative_residual =
       std::max(statistics_.relative_residual, relative * options_.tolerance / tolerance);
   statistics_.seconds += seconds;
-  statistics_.work_units += cpu_seconds / residual_seconds;
+  // By processor time: other programs on the machine hardly change the ratio.
+  statistics_.work_units += cpu_seconds / found.residual_seconds;
   statistics_.residual_ns_per_cell =
-      1e9 * residual_seconds / static_cast<double>(rows_->grid().cell_count());
+      1e9 * found.residual_seconds / static_cast<double>(rows_->grid().cell_count());
   if (!found.converged) {
     throw ConvergenceError("Stokes solver: residual " +
                            std::to_string(found.residual / scale) +
@@ -348,29 +376,8 @@ const StokesStatistics& StokesSolver::solve() {
     solve_mean_velocity();
     return statistics_;
   }
-  if (problem_.drive.kind == Kind::body_force) {
-    grid_force_ = problem_.drive.body_force * (length_ / pressure_unit());
-  }
-
-  // b = f - M lift in open rows and cells
-  StokesVector<double> b(rows_->grid().size);
-  const LevelView level = view(*rows_);
-  const StokesVector<double> f = force_rows(grid_force_);
-  true_residual(*rows_, level, lift_, f, b, options_.threads);
-  for (std::size_t c = 0; c < 4; ++c) {
-    const auto& open =
-        c < 3 ? rows_->coefficients().row_scale[c] : rows_->coefficients().cell_scale;
-    for (std::size_t q = 0; q < b.a[c].size(); ++q) {
-      b.a[c][q] = open[q] > 0.0F ? b.a[c][q] : 0.0;
-    }
-  }
-  solve_system(b, x_, norm(level, b, options_.threads), options_.tolerance);
-  flow_ = x_;
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (std::size_t q = 0; q < flow_.a[c].size(); ++q) {
-      flow_.a[c][q] += lift_.a[c][q];
-    }
-  }
+  solve_system(drive_, x_, drive_norm_, options_.tolerance);
+  superpose_flow();
   return statistics_;
 }
 
@@ -379,10 +386,10 @@ void StokesSolver::solve_unit_force(int axis, double tolerance) {
   if (x.a[0].empty()) {
     x = StokesVector<double>(rows_->grid().size);
   }
-  Vec3 force;
-  force[axis] = 1.0;
-  const StokesVector<double> b = force_rows(force);
-  solve_system(b, x, norm(view(*rows_), b, options_.threads), tolerance);
+  grid_force_ = Vec3{};
+  grid_force_[axis] = 1.0;
+  make_drive();
+  solve_system(drive_, x, drive_norm_, tolerance);
 }
 
 // The body force that gives the mean velocity wanted: linear, so from unit responses.  An
@@ -434,25 +441,61 @@ void StokesSolver::solve_mean_velocity() {
     }
   }
   const Eigen::Vector3d force = mobility.fullPivLu().solve(target);
-  for (std::size_t c = 0; c < 4; ++c) {
-    std::fill(flow_.a[c].begin(), flow_.a[c].end(), 0.0);
-  }
-  grid_force_ = {force(0), force(1), force(2)};
+  grid_force_ = {};
   for (int a = 0; a < 3; ++a) {
-    const auto s = static_cast<std::size_t>(a);
-    if (used[s]) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        for (std::size_t q = 0; q < flow_.a[c].size(); ++q) {
-          flow_.a[c][q] += force(a) * unit_[s].a[c][q];
-        }
-      }
-    } else {
-      grid_force_[a] = 0.0;
+    if (used[static_cast<std::size_t>(a)]) {
+      grid_force_[a] = force(a);
     }
   }
-  for (int c = 0; c < 4; ++c) {
-    fill_halo(rows_->grid(), flow_[c]);
+  superpose_flow();
+}
+
+std::vector<double> StokesSolver::state() const {
+  std::vector<double> state{grid_force_.x, grid_force_.y, grid_force_.z};
+  for (const StokesVector<double>* fields : {&x_, &unit_[0], &unit_[1], &unit_[2]}) {
+    state.push_back(static_cast<double>(fields->a[0].size()));
+    for (const auto& values : fields->a) {
+      state.insert(state.end(), values.begin(), values.end());
+    }
   }
+  return state;
+}
+
+void StokesSolver::restore(const std::vector<double>& state) {
+  const std::size_t size = rows_->grid().size;
+  std::size_t next = 0;
+  const auto take = [&] {
+    require(next < state.size(), "flow state", "is cut short");
+    return state[next++];
+  };
+  Vec3 force;
+  for (int a = 0; a < 3; ++a) {
+    force[a] = take();
+  }
+  std::array<StokesVector<double>, 4> fields;
+  for (auto& field : fields) {
+    const double count = take();
+    if (count == 0.0) {
+      continue;
+    }
+    require(count == static_cast<double>(size), "flow state",
+            "belongs to another grid: " + std::to_string(static_cast<long long>(count)) +
+                " entries an array, expected " + std::to_string(size));
+    require(state.size() - next >= 4 * size, "flow state", "is cut short");
+    for (auto& values : field.a) {
+      const auto from = state.begin() + static_cast<std::ptrdiff_t>(next);
+      values.assign(from, from + static_cast<std::ptrdiff_t>(size));
+      next += size;
+    }
+  }
+  require(next == state.size(), "flow state", "has more values than this grid");
+  require(!fields[0].a[0].empty(), "flow state", "has no flow in it");
+  grid_force_ = force;
+  x_ = std::move(fields[0]);
+  for (std::size_t a = 0; a < 3; ++a) {
+    unit_[a] = std::move(fields[a + 1]);
+  }
+  superpose_flow();
 }
 
 Vec3 StokesSolver::mean_velocity(const StokesVector<double>& x) const {

@@ -25,7 +25,11 @@ class StokesSolver {
   /// The deposit grew.  The next solve() starts from the flow before.
   void add_spheres(const std::vector<Sphere>& spheres);
 
+  /// All that the next solve() depends on besides the spheres and the batches in which
+  /// they were added.
   std::vector<double> state() const;
+  /// Continues where a solver of the same problem and history was when it gave `state`;
+  /// refuses (InputError) the state of another grid.
   void restore(const std::vector<double>& state);
 
   const StokesStatistics& statistics() const { return statistics_; }
@@ -55,11 +59,12 @@ class StokesSolver {
   void build();
   void connect();
   void make_lift();
+  void make_drive();
+  void superpose_flow();
   void solve_unit_force(int axis, double tolerance);
   void solve_mean_velocity();
   void solve_system(const StokesVector<double>& b, StokesVector<double>& x, double scale,
                     double tolerance);
-  StokesVector<double> force_rows(const Vec3& force) const;
   Vec3 mean_velocity(const StokesVector<double>& x) const;
   double face_pressure(int face) const;
   double mean_pressure_near(int face, double margin) const;
@@ -75,9 +80,13 @@ class StokesSolver {
   std::unique_ptr<Fgmres> krylov_;
   bool blocked_ = false;  ///< no way from inlet to outlet, not even below the grid
   std::vector<bool> inlet_open_;  ///< per cell: fed by an inlet that reaches the outlet
+  std::vector<Entry> given_;      ///< where boundary values are given
+  std::vector<bool> near_given_;  ///< per plane: rows there see given values
   StokesVector<double> lift_;     ///< given boundary values, zero elsewhere
-  StokesVector<double> x_;        ///< unknowns
-  StokesVector<double> flow_;     ///< x + lift
+  StokesVector<double> drive_;    ///< right-hand side
+  double drive_norm_ = 0.0;
+  StokesVector<double> x_;     ///< unknowns
+  StokesVector<double> flow_;  ///< x + lift
   std::array<StokesVector<double>, 3>
       unit_;  ///< responses to unit forces (mean_velocity)
   Vec3 grid_force_;

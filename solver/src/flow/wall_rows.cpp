@@ -185,6 +185,7 @@ void WallRows::add_images(const Sphere& sphere) {
 }
 
 void WallRows::add(const std::vector<Sphere>& spheres) {
+  closed_.clear();
   const std::size_t first = images_.size();
   for (const Sphere& sphere : spheres) {
     add_images(sphere);
@@ -250,6 +251,9 @@ void WallRows::make_rows(const IndexBox& box, int component) {
 
 void WallRows::close(int component, std::size_t q) {
   const auto c = static_cast<std::size_t>(component);
+  if (coefficients_.row_scale[c][q] > 0.0F) {
+    closed_.push_back({c, q});
+  }
   coefficients_.row_scale[c][q] = 0.0F;
   for (auto& link : coefficients_.link[c]) {
     link[q] = 0.0F;
@@ -480,6 +484,9 @@ void WallRows::make_cells(const IndexBox& box) {
           sum += static_cast<double>(axes_[s].divergence[lower]) *
                  (static_cast<double>(m.row_scale[s][q] * gradient[lower]) +
                   static_cast<double>(m.row_scale[s][up] * gradient[lower + 1]));
+        }
+        if (sum <= 0.0 && m.cell_scale[q] > 0.0F) {
+          closed_.push_back({pressure, q});
         }
         coefficients_.cell_scale[q] =
             sum > 0.0 ? static_cast<float>(m.diagonal / sum) : 0.0F;

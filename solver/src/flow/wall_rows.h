@@ -37,6 +37,12 @@ struct Coefficients {
   double diagonal = 0.0;
 };
 
+/// Where an unknown is, or was.
+struct Entry {
+  std::size_t component = 0;
+  std::size_t at = 0;
+};
+
 /// A surface's part in a face, for sharing out forces.
 struct NearestSurface {
   int sphere = -1;        ///< index into the spheres, -1 where none is near
@@ -72,6 +78,8 @@ class WallRows {
   NearestSurface nearest(int component, int i, int j, int k) const;
 
   const Coefficients& coefficients() const { return coefficients_; }
+  /// What the last add() closed: vectors kept from before must become zero there.
+  const std::vector<Entry>& closed_entries() const { return closed_; }
   const std::array<AxisStencil, 3>& axes() const { return axes_; }
   const Grid& grid() const { return grid_; }
   /// Is this face one of the box's own, with a given velocity (no unknown)?
@@ -122,6 +130,7 @@ class WallRows {
   std::array<std::vector<std::int32_t>, 3> head_;  ///< first candidate, -1 none, -2 solid
   std::vector<Candidate> candidates_;
   std::vector<char> stale_;  ///< rows to be made again; all zero between calls
+  std::vector<Entry> closed_;
   std::unique_ptr<NearSurfaces> scratch_;
 };
 
