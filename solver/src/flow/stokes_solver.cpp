@@ -667,31 +667,4 @@ double StokesSolver::permeability() const {
   return flow_rate() * problem_.viscosity * problem_.box.size[axis] / (area * drop);
 }
 
-std::vector<double> StokesSolver::state() const {
-  std::vector<double> out;
-  for (const auto* v : {&x_, &flow_, &unit_[0], &unit_[1], &unit_[2]}) {
-    for (const auto& a : v->a) {
-      out.insert(out.end(), a.begin(), a.end());
-    }
-  }
-  for (int a = 0; a < 3; ++a) {
-    out.push_back(grid_force_[a]);
-  }
-  return out;
-}
-
-void StokesSolver::restore(const std::vector<double>& state) {
-  std::size_t at = 0;
-  for (auto* v : {&x_, &flow_, &unit_[0], &unit_[1], &unit_[2]}) {
-    for (auto& a : v->a) {
-      for (double& x : a) {
-        x = state.at(at++);
-      }
-    }
-  }
-  for (int a = 0; a < 3; ++a) {
-    grid_force_[a] = state.at(at++);
-  }
-}
-
 }  // namespace colloid

@@ -8,10 +8,24 @@ constexpr int kWallFunctions = 8;
 constexpr int kWallDegree = 12;
 
 /// Coefficients of ln(1/y).
-constexpr double kWallLog0[kWallFunctions] = {0.20000000000000001, 0.53333333333333333, 0.10000000000000001, 0.40000000000000002, 0, 0, 0, 0};
+constexpr double kWallLog0[kWallFunctions] = {0.20000000000000001,
+                                              0.53333333333333333,
+                                              0.10000000000000001,
+                                              0.40000000000000002,
+                                              0,
+                                              0,
+                                              0,
+                                              0};
 
 /// Coefficients of y ln(1/y).
-constexpr double kWallLog1[kWallFunctions] = {0.047619047619047616, 0.17066666666666666, 0.57200000000000006, 0.52800000000000002, 0, 0, -0.5, 0};
+constexpr double kWallLog1[kWallFunctions] = {0.047619047619047616,
+                                              0.17066666666666666,
+                                              0.57200000000000006,
+                                              0.52800000000000002,
+                                              0,
+                                              0,
+                                              -0.5,
+                                              0};
 
 /// Coefficients of y^2 ln(1/y).
 constexpr double kWallLog2[kWallFunctions] = {
