@@ -16,7 +16,7 @@
 // tends to f_e, t to f_s and r to t_s of wall_resistance.h as the ratio grows.
 //
 // From the series of two_sphere_series.h, in which lubrication cancels.  Relative error
-// at contact: n, t, r 5e-5, 1e-6, 1e-6 for a ratio of 1; 4e-4, 6e-5, 2e-4 at 7; 2e-3,
+// at contact: n, t, r 5e-5, 1e-6, 1e-6 for a ratio of 1; 4e-4, 6e-5, 2e-4 at 7; 1e-3,
 // 2e-4, 7e-4 at 20; a tenth of that from xi = 0.03 on.
 #pragma once
 

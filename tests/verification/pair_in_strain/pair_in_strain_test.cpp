@@ -98,10 +98,10 @@ TEST(PairInStrain, AgreesWithFundamentalSolutions) {
 }
 
 // Batchelor & Green (1972): A = 1 - 4.077 xi, B -> 0.406, to half a unit of the last
-// digit.  The slope of B in 1/L, L = ln(1/xi), is that of the quotient of da Cunha & Hinch
-// (1996), see the last test: 0.4056 x 6.0425 - 1.49681 = 0.954.  (Batchelor & Green's 0.78
-// is a mean slope at finite gaps.)  The term in 1/L^2, of order 6, shifts the slope found
-// from two values by 6 (1/L_1 + 1/L_2).
+// digit.  The slope of B in 1/L, L = ln(1/xi), is that of the quotient of da Cunha &
+// Hinch (1996), see the last test: 0.4056 x 6.0425 - 1.49681 = 0.954.  (Batchelor &
+// Green's 0.78 is a mean slope at finite gaps.)  The term in 1/L^2, of order 6, shifts
+// the slope found from two values by 6 (1/L_1 + 1/L_2).
 TEST(PairInStrain, HasThePublishedLimitsAtContact) {
   const PairInStrain pair;
   const double gap = 1e-7;  // the next term is xi^2 ln(1/xi)
