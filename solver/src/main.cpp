@@ -1,5 +1,6 @@
 // poreclog-solve: scenes in, numbers out.  The subcommands are in commands/.
 #include <array>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -65,6 +66,7 @@ int complain(const char* kind, const std::exception& error, int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes becomes an OutputError
   try {
     return run(argc, argv);
   } catch (const colloid::InputError& error) {
