@@ -44,25 +44,37 @@ void get_column(const H5Handle& group, const std::string& name,
 void get_column(const H5Handle& group, const std::string& name,
                 std::vector<std::vector<std::string>>& values);
 
+/// The enumerator whose word is `word`.
+template <class E>
+E from_word(const std::string& word) {
+  const std::vector<std::string> words = words_of<E>();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == word) {
+      return static_cast<E>(i);
+    }
+  }
+  throw std::runtime_error("unknown word in an HDF5 file: " + word);
+}
+
 template <class E, class = std::enable_if_t<std::is_enum_v<E>>>
 void put_column(const H5Handle& group, const std::string& name, const Label& label,
                 const std::vector<E>& values) {
-  std::vector<std::int8_t> indices;
-  indices.reserve(values.size());
+  std::vector<std::vector<std::string>> words;
+  words.reserve(values.size());
   for (const E value : values) {
-    indices.push_back(static_cast<std::int8_t>(value));
+    words.push_back({word_of(value)});
   }
-  put_words(group, name, label, {indices.size()}, indices, words_of<E>());
+  put_column(group, name, label, words);
 }
 
 template <class E, class = std::enable_if_t<std::is_enum_v<E>>>
 void get_column(const H5Handle& group, const std::string& name, std::vector<E>& values) {
-  std::vector<std::int8_t> indices;
-  get_array(group, name, indices);
+  std::vector<std::vector<std::string>> words;
+  get_column(group, name, words);
   values.clear();
-  values.reserve(indices.size());
-  for (const std::int8_t index : indices) {
-    values.push_back(static_cast<E>(index));
+  values.reserve(words.size());
+  for (const std::vector<std::string>& word : words) {
+    values.push_back(from_word<E>(joined(word)));
   }
 }
 
@@ -153,17 +165,6 @@ class AttributeReader {
   }
 
  private:
-  template <class E>
-  static E from_word(const std::string& word) {
-    const std::vector<std::string> words = words_of<E>();
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (words[i] == word) {
-        return static_cast<E>(i);
-      }
-    }
-    throw std::runtime_error("unknown word in an HDF5 file: " + word);
-  }
-
   const H5Handle& object_;
 };
 

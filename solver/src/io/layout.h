@@ -35,11 +35,12 @@ void declare_series(Table& table) {
   table.column("permeability_m2", "m+2", "Darcy permeability", &Row::permeability);
   table.column("permeability_ratio", "1", "permeability over that of the clean throat",
                &Row::permeability_ratio);
-  table.column("injected", "1", "colloids that have entered", &Row::injected);
+  table.column("injected", "1", "colloids whose turn to enter has come", &Row::injected);
   table.column("delayed", "1", "colloids waiting for a free place to enter",
                &Row::delayed);
-  table.column("mobile", "1", "colloids that move alone", &Row::mobile);
-  table.column("bonded", "1", "colloids that move as part of an aggregate", &Row::bonded);
+  table.column("mobile", "1", "colloids that move", &Row::mobile);
+  table.column("bonded", "1", "of the mobile ones: attached to other colloids",
+               &Row::bonded);
   table.column("retained", "1", "colloids of the deposit", &Row::retained);
   table.column("first_layer", "1", "retained on a grain", &Row::first_layer);
   table.column("multilayer", "1", "retained on the deposit", &Row::multilayer);
@@ -57,8 +58,13 @@ void declare_retained(Table& table) {
   table.column("contact_time_s", "s", "when it first touched what holds it",
                &Row::contact_time);
   table.column("position_m", "m", "where its centre rests", &Row::position);
-  table.column("layer", "1", "on what it sits", &Row::layer);
-  table.column("mechanism", "1", "what holds it", &Row::mechanism);
+  table.column("layer", "1",
+               "on what it sits: first (a grain), multilayer (the deposit) or wall",
+               &Row::layer);
+  table.column("mechanism", "1",
+               "what holds it: attachment_to_grain, attachment_to_deposit, "
+               "attachment_to_wall or straining",
+               &Row::mechanism);
   table.column("injection_position_m", "m", "where its centre entered",
                &Row::injection_position);
   table.column("injection_time_s", "s", "when it entered", &Row::injection_time);

@@ -31,7 +31,7 @@ enum class Mechanism {
 /// How a realisation ended; one that ends unclogged is censored: data, not a failure.
 enum class Ending { duration, clogged };
 
-/// `bonded`: part of an aggregate that still moves.  `delayed`: its turn has come, but
+/// `bonded`: mobile, but attached to other colloids.  `delayed`: its turn has come, but
 /// the place where it would enter is taken.
 enum class ColloidState { absent, mobile, bonded, retained, traversed, delayed };
 
@@ -54,7 +54,8 @@ struct Words<ColloidState> {
                                      "retained", "traversed", "delayed"};
 };
 
-/// The state of the throat at one instant; counts are of colloids, up to `time`.
+/// The state of the throat at one instant; counts are of colloids, up to `time`:
+/// injected = delayed + mobile + retained + traversed, and bonded ones are mobile.
 struct SeriesRow {
   double time = 0.0;                    ///< [s]
   double critical_diameter = kNotYet;   ///< l_c [m]

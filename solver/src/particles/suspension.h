@@ -40,7 +40,8 @@ struct RigidBody {
   double slow_since = std::numeric_limits<double>::quiet_NaN();  ///< [s]
   Vec3 slow_at;                                                  ///< [m]
 
-  bool bonded() const { return !bonds.empty(); }
+  bool bonded() const { return !bonds.empty(); }             ///< to the deposit
+  bool attached() const { return bonded() || size() > 1; }  ///< to any colloid
   std::size_t size() const { return members.size(); }
   Vec3 position(std::size_t member) const { return centre + arms[member]; }
   Vec3 velocity_of(std::size_t member) const {

@@ -616,7 +616,7 @@ SeriesRow TimeLoop::series_row() const {
   row.delayed = static_cast<long>(state_.delayed.size());
   for (const RigidBody& body : state_.bodies) {
     row.mobile += static_cast<long>(body.size());
-    row.bonded += body.bonded() ? static_cast<long>(body.size()) : 0;
+    row.bonded += body.attached() ? static_cast<long>(body.size()) : 0;
   }
   row.retained = static_cast<long>(r.retained.size());
   for (const RetainedColloid& colloid : r.retained) {
@@ -640,7 +640,7 @@ Frame TimeLoop::frame() const {
     for (std::size_t m = 0; m < body.size(); ++m) {
       out.colloids.push_back(
           {body.members[m].id, body.position(m), body.velocity_of(m),
-           body.bonded() ? ColloidState::bonded : ColloidState::mobile, 2.0 * radius_});
+           body.attached() ? ColloidState::bonded : ColloidState::mobile, 2.0 * radius_});
     }
   }
   return out;
