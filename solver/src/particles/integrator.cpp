@@ -256,18 +256,14 @@ bool Integrator::locate(const std::vector<RigidBody>& begin, double low, double 
   }
   Trial end = attempt(begin, high, forcing);
   double f_high = least_event(end.bodies);
-  if (f_high > 0.0) {  // the cubic saw a touch that the step itself just misses
+  if (f_high >= -1.0) {  // there, or the cubic saw a touch that the step just misses
     trial = std::move(end);
     step = high;
     return true;
   }
+  // From here on f_low and f_high are the method's weights, not the functions' values.
   int side = 0;
   for (int n = 0; n < kMostLocations; ++n) {
-    if (f_high >= -1.0) {
-      trial = std::move(end);
-      step = high;
-      return true;
-    }
     double at = low + (high - low) * f_low / (f_low - f_high);
     // The gap closes fast at first and slowly at last: where interpolation creeps, halve.
     if (n > 10 || !(at > low && at < high)) {
