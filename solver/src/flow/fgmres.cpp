@@ -68,7 +68,7 @@ double norm(const LevelView& level, const StokesVector<double>& r, int threads) 
 // Basis vector j from w, direction j from it, and w = M z made orthogonal to the basis:
 // classical Gram-Schmidt, so that w passes through the cache twice, however many vectors.
 // Returns column j of the Hessenberg matrix, j + 2 entries.
-std::vector<double> Fgmres::extend(std::size_t j, double length,
+std::vector<double> Fgmres::extend(std::size_t j, double length, double wanted,
                                    const Preconditioner& precondition, int threads) {
   const LevelView level = view(rows_);
   const int planes = level.end[2];
@@ -79,7 +79,7 @@ std::vector<double> Fgmres::extend(std::size_t j, double length,
   for_planes(planes, threads,
              [&](int k) { scaled_copy_plane(level, 1.0 / length, w_, basis_[j], k); });
   fill_halos(rows_.grid(), basis_[j]);
-  precondition(basis_[j], directions_[j]);
+  precondition(basis_[j], directions_[j], wanted);
   fill_halos(rows_.grid(), directions_[j]);
 
   // w = -M z, so all products have the wrong sign; plane sums are added in order.
@@ -129,7 +129,8 @@ KrylovStatistics Fgmres::solve(const StokesVector<double>& b, StokesVector<doubl
     std::size_t j = 0;
     while (estimate > options.target && j < static_cast<std::size_t>(options.restart) &&
            statistics.iterations < options.max_iterations) {
-      std::vector<double> column = extend(j, length, precondition, options.threads);
+      std::vector<double> column =
+          extend(j, length, estimate / options.target, precondition, options.threads);
       length = std::abs(column.back());
       if (!std::isfinite(length)) {
         throw ConvergenceError("Stokes solver: not a number in Krylov iteration " +
