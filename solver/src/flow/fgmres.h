@@ -27,10 +27,10 @@ struct KrylovStatistics {
 /// The solver and its vectors, which are kept from one solve to the next.
 class Fgmres {
  public:
-  /// Sets z to about M^-1 r; halos of r are filled.  `wanted` is the factor by which the
-  /// residual is still above the target: a cheaper z will do when little is wanted.
+  /// Sets z to about M^-1 r; halos of r are filled.  A cheaper z will do if `light`: half
+  /// of what the iteration before gained would reach the target.
   using Preconditioner = std::function<void(const StokesVector<float>& r,
-                                            StokesVector<float>& z, double wanted)>;
+                                            StokesVector<float>& z, bool light)>;
 
   explicit Fgmres(const WallRows& rows) : rows_(rows), w_(rows.grid().size) {}
 
@@ -40,7 +40,7 @@ class Fgmres {
                          const KrylovOptions& options);
 
  private:
-  std::vector<double> extend(std::size_t j, double length, double wanted,
+  std::vector<double> extend(std::size_t j, double length, bool light,
                              const Preconditioner& precondition, int threads);
 
   const WallRows& rows_;

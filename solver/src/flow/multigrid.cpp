@@ -189,11 +189,8 @@ void Multigrid::cycle(const CycleShape& shape, std::size_t index,
   }
 }
 
-void Multigrid::apply(const StokesVector<float>& r, StokesVector<float>& z,
-                      double wanted) {
-  const CycleShape& shape =
-      wanted <= options_.light_reduction ? options_.light : options_.full;
-  cycle(shape, 0, r, z, true);
+void Multigrid::apply(const StokesVector<float>& r, StokesVector<float>& z, bool light) {
+  cycle(light ? options_.light : options_.full, 0, r, z, true);
 }
 
 }  // namespace colloid

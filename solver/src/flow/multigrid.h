@@ -40,7 +40,6 @@ struct CycleOptions {
   /// iterations reduce the residual 10 to 20 times, and half of them end far below the
   /// target.
   CycleShape light{1, 1, 1};
-  double light_reduction = 5.0;  ///< of the residual, by one iteration with a light cycle
   int coarsest_sweeps = 12;
   std::array<float, 2> alpha{0.8F, 1.8F};  ///< of even and odd sweeps [-]
   /// Jacobi factors of the pressure steps: reciprocals of the roots of a Chebyshev
@@ -55,8 +54,8 @@ class Multigrid {
             const std::vector<Sphere>& spheres, const CycleOptions& options, int threads);
 
   /// One cycle from zero: z = approximately M^-1 r.  r and z on the finest level, halos
-  /// of r filled.  A light cycle where the residual need fall only by `wanted`.
-  void apply(const StokesVector<float>& r, StokesVector<float>& z, double wanted);
+  /// of r filled.
+  void apply(const StokesVector<float>& r, StokesVector<float>& z, bool light);
 
   /// A sphere was added to the finest level: do the same to the others.
   void add(const std::vector<Sphere>& spheres);
