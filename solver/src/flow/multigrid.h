@@ -25,10 +25,11 @@
 
 namespace colloid {
 
+/// What one cycle does on each level.
 struct CycleShape {
   int sweeps_before = 0;
   int sweeps_after = 0;
-  int coarse_visits = 0;
+  int coarse_visits = 0;  ///< to each coarser level: 1 is a V-cycle, 2 a W-cycle
 };
 
 /// Chosen by processor time on the reference throat, clean and with 60 colloids, among 40
@@ -53,8 +54,8 @@ class Multigrid {
   Multigrid(const WallRows& finest, const FlowFaces& faces,
             const std::vector<Sphere>& spheres, const CycleOptions& options, int threads);
 
-  /// One cycle from zero: z = approximately M^-1 r.  r and z on the finest level, halos
-  /// of r filled.
+  /// One cycle from zero, full or light: z = approximately M^-1 r.  r and z on the finest
+  /// level, halos of r filled.
   void apply(const StokesVector<float>& r, StokesVector<float>& z, bool light);
 
   /// A sphere was added to the finest level: do the same to the others.
