@@ -14,7 +14,7 @@ build/release/tests/bench/bench_critical_diameter >"$out/critical_diameter.txt"
 **Question.** What do a residual evaluation, a smoothing sweep, a multigrid cycle, a solve from
 zero, a solve after one retention and the critical diameter cost?
 
-`stokes.txt` and `critical_diameter.txt` are what the programs of tests/bench print; the counters
+`resolve.txt` sets the re-solve after one retention beside an earlier solver's. `stokes.txt` and `critical_diameter.txt` are what the programs of tests/bench print; the counters
 are explained at the top of their sources. Times are processor time; a work unit is the cost of one
 residual evaluation in the same run. 40 cells across are 96,000 cells.
 

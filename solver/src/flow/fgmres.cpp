@@ -12,6 +12,9 @@ namespace colloid {
 
 namespace {
 
+// Part of the last iteration's gain that a light preconditioner is trusted with.
+constexpr double kLight = 0.5;
+
 // Least squares of the Hessenberg matrix by Givens rotations, one column at a time.
 class Rotations {
  public:
@@ -68,7 +71,7 @@ double norm(const LevelView& level, const StokesVector<double>& r, int threads) 
 // Basis vector j from w, direction j from it, and w = M z made orthogonal to the basis:
 // classical Gram-Schmidt, so that w passes through the cache twice, however many vectors.
 // Returns column j of the Hessenberg matrix, j + 2 entries.
-std::vector<double> Fgmres::extend(std::size_t j, double length,
+std::vector<double> Fgmres::extend(std::size_t j, double length, bool light,
                                    const Preconditioner& precondition, int threads) {
   const LevelView level = view(rows_);
   const int planes = level.end[2];
@@ -79,7 +82,7 @@ std::vector<double> Fgmres::extend(std::size_t j, double length,
   for_planes(planes, threads,
              [&](int k) { scaled_copy_plane(level, 1.0 / length, w_, basis_[j], k); });
   fill_halos(rows_.grid(), basis_[j]);
-  precondition(basis_[j], directions_[j]);
+  precondition(basis_[j], directions_[j], light);
   fill_halos(rows_.grid(), directions_[j]);
 
   // w = -M z, so all products have the wrong sign; plane sums are added in order.
@@ -126,16 +129,21 @@ KrylovStatistics Fgmres::solve(const StokesVector<double>& b, StokesVector<doubl
     Rotations rotations(beta);
     double estimate = beta;
     double length = beta;
+    double gain = 0.0;  // factor by which the last iteration reduced the residual
     std::size_t j = 0;
     while (estimate > options.target && j < static_cast<std::size_t>(options.restart) &&
            statistics.iterations < options.max_iterations) {
-      std::vector<double> column = extend(j, length, precondition, options.threads);
+      const bool light = estimate <= kLight * gain * options.target;
+      std::vector<double> column =
+          extend(j, length, light, precondition, options.threads);
       length = std::abs(column.back());
       if (!std::isfinite(length)) {
         throw ConvergenceError("Stokes solver: not a number in Krylov iteration " +
                                std::to_string(statistics.iterations + 1));
       }
+      const double before = estimate;
       estimate = rotations.append(std::move(column));
+      gain = before / estimate;
       ++statistics.iterations;
       ++j;
       if (length <= 1e-30 * beta) {

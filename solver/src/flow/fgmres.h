@@ -27,9 +27,10 @@ struct KrylovStatistics {
 /// The solver and its vectors, which are kept from one solve to the next.
 class Fgmres {
  public:
-  /// Sets z to about M^-1 r; halos of r are filled.
-  using Preconditioner =
-      std::function<void(const StokesVector<float>& r, StokesVector<float>& z)>;
+  /// Sets z to about M^-1 r; halos of r are filled.  A cheaper z will do if `light`: half
+  /// of what the iteration before gained would reach the target.
+  using Preconditioner = std::function<void(const StokesVector<float>& r,
+                                            StokesVector<float>& z, bool light)>;
 
   explicit Fgmres(const WallRows& rows) : rows_(rows), w_(rows.grid().size) {}
 
@@ -39,7 +40,7 @@ class Fgmres {
                          const KrylovOptions& options);
 
  private:
-  std::vector<double> extend(std::size_t j, double length,
+  std::vector<double> extend(std::size_t j, double length, bool light,
                              const Preconditioner& precondition, int threads);
 
   const WallRows& rows_;

@@ -46,7 +46,7 @@ Multigrid::Multigrid(const WallRows& finest, const FlowFaces& faces,
   const auto [narrow, wide] =
       std::minmax({width[0].front(), width[1].front(), width[2].front()});
   if (wide > kNeedle * narrow) {
-    options_.coarse_visits = 1;
+    options_.full.coarse_visits = 1;
   }
   levels_.emplace_back();
   levels_.back().walls = &finest;
@@ -155,8 +155,9 @@ void Multigrid::smooth(StokesVector<float>& u, const StokesVector<float>& f,
   sweep(levels_.front(), f, u, from_zero, number);
 }
 
-void Multigrid::cycle(std::size_t index, const StokesVector<float>& f,
-                      StokesVector<float>& u, bool from_zero) {
+void Multigrid::cycle(const CycleShape& shape, std::size_t index,
+                      const StokesVector<float>& f, StokesVector<float>& u,
+                      bool from_zero) {
   Level& level = levels_[index];
   if (index + 1 == levels_.size()) {
     for (int s = 0; s < options_.coarsest_sweeps; ++s) {
@@ -164,7 +165,7 @@ void Multigrid::cycle(std::size_t index, const StokesVector<float>& f,
     }
     return;
   }
-  for (int s = 0; s < options_.sweeps_before; ++s) {
+  for (int s = 0; s < shape.sweeps_before; ++s) {
     sweep(level, f, u, from_zero && s == 0, s);
   }
   residual(level, u, f);
@@ -175,21 +176,21 @@ void Multigrid::cycle(std::size_t index, const StokesVector<float>& f,
     restrict_plane(level.transfer, level.view, coarse.view, level.r, coarse.f, k);
   });
   fill_halos(coarse.walls->grid(), coarse.f);
-  const int visits = index + 2 < levels_.size() ? options_.coarse_visits : 1;
+  const int visits = index + 2 < levels_.size() ? shape.coarse_visits : 1;
   for (int visit = 0; visit < visits; ++visit) {
-    cycle(index + 1, coarse.f, coarse.u, visit == 0);
+    cycle(shape, index + 1, coarse.f, coarse.u, visit == 0);
   }
   fill_halos(coarse.walls->grid(), coarse.u);
   for_planes(level.view.end[2], threads_, [&](int k) {
     prolong_plane(level.transfer, level.view, coarse.view, coarse.u, u, k);
   });
-  for (int s = 0; s < options_.sweeps_after; ++s) {
+  for (int s = 0; s < shape.sweeps_after; ++s) {
     sweep(level, f, u, false, s);
   }
 }
 
-void Multigrid::apply(const StokesVector<float>& r, StokesVector<float>& z) {
-  cycle(0, r, z, true);
+void Multigrid::apply(const StokesVector<float>& r, StokesVector<float>& z, bool light) {
+  cycle(light ? options_.light : options_.full, 0, r, z, true);
 }
 
 }  // namespace colloid

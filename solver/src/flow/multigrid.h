@@ -25,13 +25,22 @@
 
 namespace colloid {
 
+/// What one cycle does on each level.
+struct CycleShape {
+  int sweeps_before = 0;
+  int sweeps_after = 0;
+  int coarse_visits = 0;  ///< to each coarser level: 1 is a V-cycle, 2 a W-cycle
+};
+
 /// Chosen by processor time on the reference throat, clean and with 60 colloids, among 40
 /// combinations.  Two visits to each coarser level (a W-cycle) cost a sixth more and save
 /// a fifth of the iterations.
 struct CycleOptions {
-  int sweeps_before = 2;
-  int sweeps_after = 3;
-  int coarse_visits = 2;
+  CycleShape full{2, 3, 2};
+  /// Costs less than half.  For the last iteration of a solve, if little is left to do:
+  /// iterations reduce the residual 10 to 20 times, and half of them end far below the
+  /// target.
+  CycleShape light{1, 1, 1};
   int coarsest_sweeps = 12;
   std::array<float, 2> alpha{0.8F, 1.8F};  ///< of even and odd sweeps [-]
   /// Jacobi factors of the pressure steps: reciprocals of the roots of a Chebyshev
@@ -45,9 +54,9 @@ class Multigrid {
   Multigrid(const WallRows& finest, const FlowFaces& faces,
             const std::vector<Sphere>& spheres, const CycleOptions& options, int threads);
 
-  /// One cycle from zero: z = approximately M^-1 r.  r and z on the finest level, halos
-  /// of r filled.
-  void apply(const StokesVector<float>& r, StokesVector<float>& z);
+  /// One cycle from zero, full or light: z = approximately M^-1 r.  r and z on the finest
+  /// level, halos of r filled.
+  void apply(const StokesVector<float>& r, StokesVector<float>& z, bool light);
 
   /// A sphere was added to the finest level: do the same to the others.
   void add(const std::vector<Sphere>& spheres);
@@ -69,8 +78,8 @@ class Multigrid {
 
   void sweep(Level& level, const StokesVector<float>& f, StokesVector<float>& u,
              bool from_zero, int number);
-  void cycle(std::size_t index, const StokesVector<float>& f, StokesVector<float>& u,
-             bool from_zero);
+  void cycle(const CycleShape& shape, std::size_t index, const StokesVector<float>& f,
+             StokesVector<float>& u, bool from_zero);
   void residual(Level& level, StokesVector<float>& u, const StokesVector<float>& f);
 
   CycleOptions options_;

@@ -340,9 +340,8 @@ void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<doub
   krylov.threads = options_.threads;
   const double start = wall_seconds();
   const double cpu_start = processor_seconds();
-  const auto precondition = [&](const StokesVector<float>& r, StokesVector<float>& z) {
-    multigrid_->apply(r, z);
-  };
+  const auto precondition = [&](const StokesVector<float>& r, StokesVector<float>& z,
+                                bool light) { multigrid_->apply(r, z, light); };
   const KrylovStatistics found = krylov_->solve(b, x, precondition, krylov);
   const double cpu_seconds = processor_seconds() - cpu_start;
   const double seconds = wall_seconds() - start;

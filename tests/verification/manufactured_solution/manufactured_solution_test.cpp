@@ -68,8 +68,8 @@ Errors solve(int n, int m) {
   options.target = 1e-8 * norm(view(rows), b, 1);
   const KrylovStatistics s = Fgmres(rows).solve(
       b, x,
-      [&](const StokesVector<float>& r, StokesVector<float>& z) {
-        multigrid.apply(r, z);
+      [&](const StokesVector<float>& r, StokesVector<float>& z, bool light) {
+        multigrid.apply(r, z, light);
       },
       options);
   EXPECT_TRUE(s.converged);
