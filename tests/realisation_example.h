@@ -63,6 +63,7 @@ inline Realisation example_realisation(int frame_count = 7) {
   Realisation r{
       0xFEDCBA9876543210U,  // above 2^63: kept as an unsigned number
       "one_way",
+      "Re_throat = 0.1 < 1",
       Ending::clogged,
       draw.real(),
       draw.real(),
@@ -158,8 +159,8 @@ class Bits {
     add(a, b, c, d, e, f);
   }
   void put(const Realisation& realisation) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = realisation;
-    add(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = realisation;
+    add(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
   }
   void put(const RunIdentity& identity) {
     const auto& [a, b, c, d, e] = identity;

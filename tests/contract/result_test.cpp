@@ -56,6 +56,7 @@ void put_root(json& values, const Realisation& r) {
   values["/@complete"] = 1;
   values["/@schema_version"] = ResultFile::kSchemaVersion;
   values["/@tier"] = r.tier;
+  values["/@tier_reason"] = r.tier_reason;
   values["/@ending"] = r.ending == Ending::clogged ? "clogged" : "duration";
   values["/@seed"] = std::to_string(r.seed);
   values["/@seed_uint64"] = r.seed;

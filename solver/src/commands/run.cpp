@@ -109,14 +109,13 @@ Json number_or_null(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
-Json result_json(const Realisation& r, const std::string& path,
-                 const std::string& reason) {
+Json result_json(const Realisation& r, const std::string& path) {
   Json out;
   out["schema_version"] = kSchemaVersion;
   out["result"] = path;
   out["seed"] = std::to_string(r.seed);
   out["tier"] = r.tier;
-  out["tier_reason"] = reason;
+  out["tier_reason"] = r.tier_reason;
   out["ending"] = r.ending == Ending::clogged ? "clogged" : "duration";
   out["time_s"] = r.duration;
   out["t1_s"] = number_or_null(r.t1);
@@ -135,8 +134,7 @@ Json result_json(const Realisation& r, const std::string& path,
   return out;
 }
 
-std::string result_summary(const Realisation& r, const std::string& path,
-                           const std::string& reason) {
+std::string result_summary(const Realisation& r, const std::string& path) {
   const auto seconds = [](double t) {
     return std::isfinite(t) ? fmt::format("{:.4f} s", t) : std::string("not reached");
   };
@@ -150,7 +148,7 @@ std::string result_summary(const Realisation& r, const std::string& path,
       "critical diameter   {:.6g} m\n"
       "permeability ratio  {:.4g}\n"
       "result              {}\n",
-      r.tier, reason, seconds(r.t1), seconds(r.tc), r.duration, r.counts.injected,
+      r.tier, r.tier_reason, seconds(r.t1), seconds(r.tc), r.duration, r.counts.injected,
       r.counts.retained, r.counts.traversed, r.counts.mobile, r.counts.delayed,
       last.critical_diameter, last.permeability_ratio, path);
 }
@@ -183,6 +181,7 @@ class Run : public Command {
     const TierDecision decision = choose_tier(file.scene);
     RunOptions options;
     options.seed = parse_seed(seed_, "--seed");
+    options.tier_reason = decision.reason;
     options.checkpoint = checkpoint_;
     options.checkpoint_interval = interval_;
     options.threads = threads_;
@@ -208,9 +207,9 @@ class Run : public Command {
       std::error_code ignored;  // none was written, or it will be refused or replayed
       std::filesystem::remove(checkpoint_, ignored);
     }
-    std::cout << (json_ ? result_json(*realisation, output_, decision.reason).dump(2) +
+    std::cout << (json_ ? result_json(*realisation, output_).dump(2) +
                               "\n"
-                        : result_summary(*realisation, output_, decision.reason));
+                        : result_summary(*realisation, output_));
     return exit_finished;
   }
 

@@ -10,6 +10,7 @@ namespace colloid {
 template <class Archive, class R>
 void declare_outcome(Archive& archive, R& realisation) {
   archive.value("tier", realisation.tier);
+  archive.value("tier_reason", realisation.tier_reason);
   archive.value("ending", realisation.ending);
   archive.value("seed_uint64", realisation.seed);
   archive.value("duration_s", realisation.duration);

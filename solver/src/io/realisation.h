@@ -128,6 +128,7 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 struct Realisation {
   std::uint64_t seed = 0;
   std::string tier;
+  std::string tier_reason;  ///< why this tier: asked for or chosen, and why it is valid
   Ending ending = Ending::duration;
   double duration = 0.0;            ///< simulated time reached [s]
   double t1 = kNotYet;              ///< first retention [s]

@@ -35,7 +35,7 @@ Regime regime_of(const Scene& scene, const DepositFlow& flow) {
 
 void refuse_inertia(const Regime& regime) {
   require(!regime.colloids->models.inertia.needed, "/fidelity/tier", [&] {
-    return fmt::format("is \"one_way\", which neglects inertia, but {}; expected "
+    return fmt::format("the tier one_way neglects inertia, but {}; expected "
                        "\"transient\" or a slower flow",
                        regime.colloids->models.inertia.reason);
   });
@@ -80,10 +80,9 @@ std::optional<Realisation> run_one_way(const Scene& scene, const RunOptions& opt
     radii.push_back(grain.radius);
   }
   const OneWayMotion model(motion, flow, surfaces, radii);
-  LoopParts parts{flow, surfaces, model, contacts, plan, inlet.mean_speed, false, 0.0, ""};
+  LoopParts parts{flow, surfaces, model, contacts, plan, inlet.mean_speed, false,
+                  kStepTolerance, "one_way", models.inertia.reason};
   parts.brownian = models.brownian.needed;
-  parts.step_tolerance = kStepTolerance;
-  parts.tier = "one_way";
   return TimeLoop(scene, options, parts).run();
 }
 

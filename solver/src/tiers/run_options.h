@@ -18,6 +18,7 @@ struct Progress {
 
 struct RunOptions {
   std::uint64_t seed = 1;
+  std::string tier_reason;             ///< asked for, or chosen: for the record
   std::string checkpoint;              ///< file; empty: none
   double checkpoint_interval = 600.0;  ///< of wall time [s]
   int threads = 1;                     ///< of the flow solver; results do not depend on it

@@ -20,13 +20,12 @@ TierDecision choose_tier(const Scene& scene) {
   const TierChoice choice = scene.fidelity.tier;
   if (choice == TierChoice::automatic) {
     // Whether it is valid for the scene is the tier's own check: it has the flow.
-    return {kTiers.front(), "auto: one_way is the cheapest tier; it refuses scenes in "
-                            "which inertia matters"};
+    return {kTiers.front(), "auto: the cheapest tier"};
   }
   const char* name = Words<TierChoice>::kValue[static_cast<std::size_t>(choice)];
   for (const Tier& tier : kTiers) {
     if (name == std::string(tier.name)) {
-      return {tier, "asked for by /fidelity/tier"};
+      return {tier, "asked for"};
     }
   }
   throw InputError("/fidelity/tier",

@@ -69,6 +69,7 @@ TimeLoop::TimeLoop(const Scene& scene, const RunOptions& options, const LoopPart
   Realisation& r = state_.realisation;
   r.seed = options.seed;
   r.tier = parts.tier;
+  r.tier_reason = options.tier_reason + "; " + parts.validity;
   first_permeability_ = parts.flow.permeability();
   observe({}, false);
   const PairContact& grain = parts.contacts.grain;

@@ -33,6 +33,7 @@ struct LoopParts {
   bool brownian = false;
   double step_tolerance = 1e-3;  ///< of the integrator
   std::string tier;
+  std::string validity;  ///< the numbers by which the tier is valid for the scene
 };
 
 class TimeLoop {
