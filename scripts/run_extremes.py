@@ -1,0 +1,148 @@
+"""Run `poreclog-solve run` at extreme values of what concerns colloids.
+
+Every case must survive (exit code 0, colloids conserved, no overlap) or be refused with a
+message (2); a run that becomes unstable says so (3).  A crash, exit code 4, lost colloids,
+overlaps or more than 300 s are failures: the script then ends with 1.  Writes table.csv
+(one row per case) and README.md.
+
+    python3 scripts/run_extremes.py [--solver build/release/solver/poreclog-solve]
+                                    [--output results/evidence/extremes_run] [--only WORD]
+"""
+import argparse
+import csv
+import json
+import math
+import subprocess
+import sys
+import tempfile
+import time
+
+import evidence
+from extremes import THROAT, throat
+
+TIMEOUT = 300.0
+COARSE = {"fidelity__cells_per_colloid": 3, "duration": "1 s"}
+
+
+def cases():
+    """(name, value, scene); all coarse and short, but dense enough to meet grains."""
+    def case(name, value, **changes):
+        yield name, str(value), throat(**{**COARSE, "colloids__volume_fraction": 0.02,
+                                          **changes})
+    for ratio in [0.5, 1.0, 1.05, 2.0, 8.0]:
+        yield from case("density ratio", ratio, colloids__density=f"{1000 * ratio:g} kg/m^3")
+    for gap in [1e-1, 1e-2, 1e-3, 1e-4]:
+        yield from case("capture gap over a", gap,
+                        fidelity__capture_gap=f"{gap * 6.65e-6:.9g} m")
+    for strength in ["0.1 mM", "1 mM", "10 mM", "100 mM", "1 M", "5 M"]:
+        yield from case("ionic strength", strength, surface__ionic_strength=strength)
+    for strength in ["0.1 mM", "5 M"]:
+        yield from case("ionic strength, breakable bonds", strength,
+                        surface__ionic_strength=strength, bonds="breakable")
+    for speed, duration in [(1e-6, "500 s"), (1e-5, "50 s"), (1e-4, "5 s"), (1e-3, "0.5 s"),
+                            (1e-2, "0.05 s"), (1e-1, "0.005 s")]:
+        yield from case("inlet velocity [m/s]", speed, drive__inlet_velocity=f"{speed} m/s",
+                        duration=duration)
+    for cells in [2, 3, 5.5, 11]:
+        yield from case("cells per colloid", cells, fidelity__cells_per_colloid=cells)
+    yield from case("cells per colloid", 40, fidelity__cells_per_colloid=40,
+                    duration="0.05 s")
+    for factor in [0.99, 1.01]:
+        yield from case("colloid over throat", factor,
+                        colloids__diameter=f"{factor * THROAT:.9g} m",
+                        colloids__volume_fraction=0.1, fidelity__cells_per_colloid=12)
+    for modulus in ["1e5 Pa", "3e9 Pa"]:
+        yield from case("Young's modulus", modulus, colloids__young_modulus=modulus)
+    for hindrance in ["none", "wall", "wall_and_pair"]:
+        for gap in ["1 nm", "1 um"]:
+            yield from case("hindrance, capture gap", f"{hindrance}, {gap}",
+                            fidelity__hindrance=hindrance, fidelity__capture_gap=gap)
+    for walls in ["inert", "adhesive"]:
+        yield from case("side walls", walls, walls=walls, colloids__volume_fraction=0.1)
+    for drive in [{"inlet_velocity": "0.5 mm/s"}, {"pressure_drop": "2 Pa"}]:
+        # So sticky and dense that the pore is filled.
+        yield from case("filled under " + next(iter(drive)), "1 s", drive=drive,
+                        colloids__volume_fraction=0.2, fidelity__capture_gap="1 um",
+                        duration="3 s")
+    for diameter in ["1 um", "100 nm"]:
+        yield from case("Brownian colloids of diameter", diameter,
+                        colloids__diameter=diameter, colloids__volume_fraction=1e-6,
+                        drive__inlet_velocity="20 um/s", fidelity__cells_per_colloid=0.5,
+                        duration="0.2 s")
+    yield from case("Hamaker constant", "0 J", surface__hamaker="0 J")
+    yield from case("aggregates", "off", aggregates=False, colloids__volume_fraction=0.1)
+    yield from case("volume fraction", 0.5, colloids__volume_fraction=0.5)
+    yield from case("volume fraction", 0, colloids__volume_fraction=0)
+
+
+def verdict(done, seconds):
+    """(outcome, note); an outcome in capitals is a failure."""
+    if done is None:
+        return "TOO SLOW", f"more than {TIMEOUT:g} s"
+    message = done.stderr.strip().splitlines()[-1] if done.stderr.strip() else ""
+    if done.returncode == 2:
+        return "refused", message
+    if done.returncode == 3:
+        return "unstable", message
+    if done.returncode != 0:
+        return f"EXIT {done.returncode}", message
+    out = json.loads(done.stdout)
+    counts = out["counts"]
+    if counts["injected"] != sum(counts[k] for k in ["mobile", "retained", "traversed",
+                                                     "delayed"]):
+        return "LOST COLLOIDS", str(counts)
+    if out["solver"]["overlaps"] > 0:
+        return "OVERLAP", f"{out['solver']['overlaps']:.0f} overlaps, deepest " \
+                          f"{out['solver']['deepest_overlap_m']:.2g} m"
+    return "survived", (f"{counts['injected']} injected, {counts['retained']} retained, "
+                        f"{counts['traversed']} traversed, {out['solver']['steps']:.0f} steps")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    evidence.add_common_options(parser, "extremes_run")
+    parser.add_argument("--only", default="", help="cases whose name has this word")
+    options = parser.parse_args()
+    origin = evidence.provenance(options.solver)
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, value, scene in cases():
+            if options.only not in name:
+                continue
+            path = folder + "/scene.json"
+            with open(path, "w") as file:
+                json.dump(scene, file)
+            start = time.monotonic()
+            try:
+                done = subprocess.run(
+                    [str(options.solver), "run", path, "-o", folder + "/r.h5", "--json"],
+                    capture_output=True, text=True, timeout=TIMEOUT)
+            except subprocess.TimeoutExpired:
+                done = None
+            seconds = time.monotonic() - start
+            outcome, note = verdict(done, seconds)
+            note = note.replace(folder, "...")
+            rows.append({"case": name, "value": value, "outcome": outcome,
+                         "seconds": f"{seconds:.1f}", "note": note})
+            print(f"{outcome:10} {name} {value}: {note} ({seconds:.1f} s)", flush=True)
+    failures = [r for r in rows if r["outcome"].isupper() or r["outcome"].startswith("EXIT")]
+    if not options.only:
+        options.output.mkdir(parents=True, exist_ok=True)
+        with (options.output / "table.csv").open("w", newline="") as file:
+            writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+        lines = ["# Extremes of what concerns colloids", "",
+                 "`poreclog-solve run` on the reference throat (coarse grid, 1 s unless said),",
+                 "one value changed at a time. Survived: finished, colloids conserved, none",
+                 "overlapping.", "", *origin, "",
+                 f"{len(rows)} cases, {len(failures)} failures.", "",
+                 "| case | value | outcome | s | |", "|---|---|---|---|---|"]
+        lines += ["| {case} | {value} | {outcome} | {seconds} | {note} |".format(**r)
+                  for r in rows]
+        (options.output / "README.md").write_text("\n".join(lines) + "\n")
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
