@@ -17,6 +17,16 @@ function(poreclog_module name)
   poreclog_warnings(poreclog_${name})
 endfunction()
 
+# poreclog_orchestrator_module(NAME SOURCES a.cpp ... DEPENDS target ...): one folder of
+# orchestrator/src.
+function(poreclog_orchestrator_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(poreclog_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(poreclog_${name} PUBLIC ${PROJECT_SOURCE_DIR}/orchestrator/src)
+  target_link_libraries(poreclog_${name} PUBLIC ${ARG_DEPENDS})
+  poreclog_warnings(poreclog_${name})
+endfunction()
+
 # poreclog_test(NAME LABEL unit|verification|... SOURCES a.cpp ... DEPENDS target ...)
 function(poreclog_test name)
   cmake_parse_arguments(ARG "" "LABEL" "SOURCES;DEPENDS" ${ARGN})
