@@ -27,13 +27,14 @@ function(poreclog_orchestrator_module name)
   poreclog_warnings(poreclog_${name})
 endfunction()
 
-# poreclog_test(NAME LABEL unit|verification|... SOURCES a.cpp ... DEPENDS target ...)
+# poreclog_test(NAME LABEL unit|verification|... [PREFIX text] SOURCES a.cpp ...
+#               DEPENDS target ...); the prefix tells apart a source that two programs test.
 function(poreclog_test name)
-  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;PREFIX" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest_main GTest::gmock)
   target_compile_definitions(${name} PRIVATE PORECLOG_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   poreclog_warnings(${name})
-  gtest_discover_tests(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 600
-                       DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name} TEST_PREFIX "${ARG_PREFIX}"
+                       PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 600 DISCOVERY_TIMEOUT 60)
 endfunction()

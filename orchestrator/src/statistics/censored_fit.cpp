@@ -69,39 +69,41 @@ Likelihood likelihood(const std::vector<CensoredPoint>& points,
   return sum;
 }
 
-/// Newton's method with halved steps; none if it does not converge.
+/// The longest of the halved Newton steps that does not lower ln L.
+Eigen::Vector3d searched_step(const std::vector<CensoredPoint>& points,
+                              const Eigen::Vector3d& parameters,
+                              const Eigen::Vector3d& newton, double value) {
+  constexpr double kShortest = 1e-10;
+  for (double length = 1.0; length > kShortest; length *= 0.5) {
+    const Eigen::Vector3d trial = parameters + length * newton;
+    if (trial[2] > 0.0 && likelihood(points, trial).value >= value) {
+      return length * newton;
+    }
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+/// Newton's method; none if it does not converge.
 std::optional<Eigen::Vector3d> maximise(const std::vector<CensoredPoint>& points,
                                         Eigen::Vector3d parameters) {
   constexpr int kIterations = 100;
-  constexpr double kDecrement = 1e-20;  // twice the gain of ln L that is left
-  Likelihood here = likelihood(points, parameters);
+  // Twice the gain of ln L that is left, by its quadratic model.  Below kNear full steps
+  // converge, and ln L soon no longer resolves the gain that a search would look for.
+  constexpr double kNear = 1e-6;
+  constexpr double kConverged = 1e-20;
   for (int i = 0; i < kIterations; ++i) {
-    const Eigen::Vector3d step = here.information.ldlt().solve(here.gradient);
-    const double decrement = step.dot(here.gradient);
+    const Likelihood here = likelihood(points, parameters);
+    const Eigen::Vector3d newton = here.information.ldlt().solve(here.gradient);
+    const double decrement = newton.dot(here.gradient);
     if (!std::isfinite(decrement)) {
       return std::nullopt;
     }
-    if (decrement < kDecrement) {
+    if (decrement < kConverged) {
       return parameters;
     }
-    double length = 1.0;
-    Eigen::Vector3d trial = parameters + step;
-    Likelihood there;
-    for (; length > 1e-10; length *= 0.5) {
-      trial = parameters + length * step;
-      if (trial[2] > 0.0) {
-        there = likelihood(points, trial);
-        if (there.value >= here.value) {
-          break;
-        }
-      }
-    }
-    if (length <= 1e-10) {
-      // ln L no longer resolves a gain: its round-off, if the gain is that small.
-      return decrement < 1e-10 ? std::optional(parameters) : std::nullopt;
-    }
-    parameters = trial;
-    here = there;
+    parameters += decrement < kNear
+                      ? newton
+                      : searched_step(points, parameters, newton, here.value);
   }
   return std::nullopt;
 }

@@ -1,7 +1,9 @@
 #include "statistics/interval.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 
 namespace colloid::statistics {
 
@@ -14,6 +16,11 @@ void require_finite(const std::vector<double>& sample, const std::string& name) 
                           ", must be finite");
     }
   }
+}
+
+bool all_equal(const std::vector<double>& sample) {
+  return std::adjacent_find(sample.begin(), sample.end(), std::not_equal_to<>()) ==
+         sample.end();
 }
 
 void require_level(double level) {

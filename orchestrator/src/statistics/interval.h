@@ -25,6 +25,10 @@ class InvalidSample : public std::invalid_argument {
 /// Refuses NaN and infinities; `name` says in the message which numbers these are.
 void require_finite(const std::vector<double>& sample, const std::string& name);
 
+/// Compared bit by bit: a spread of equal values computed from their mean may be
+/// round-off.
+bool all_equal(const std::vector<double>& sample);
+
 void require_level(double level);
 
 }  // namespace colloid::statistics

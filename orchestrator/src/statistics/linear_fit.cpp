@@ -1,8 +1,6 @@
 #include "statistics/linear_fit.h"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "statistics/quantile.h"
 
@@ -33,11 +31,6 @@ Sums sums_about_the_mean(const std::vector<double>& x, const std::vector<double>
     sums.yy += dy * dy;
   }
   return sums;
-}
-
-bool all_equal(const std::vector<double>& values) {
-  return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) ==
-         values.end();
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ MeanInterval mean_interval(const std::vector<double>& sample, double level) {
   for (double x : sample) {
     sum += x;
   }
-  const double mean = sum / n;
+  const bool equal = all_equal(sample);
+  const double mean = equal ? sample.front() : sum / n;
   result.mean = mean;
   if (sample.size() == 1) {
     result.note = "one realisation has no spread and no interval";
@@ -36,7 +37,7 @@ MeanInterval mean_interval(const std::vector<double>& sample, double level) {
   const double half = student_factor(level, n - 1.0) * sd / std::sqrt(n);
   result.sd = sd;
   result.interval = Interval{mean - half, mean + half};
-  if (sd == 0.0) {
+  if (equal) {
     result.note = "all values are equal: the interval has no width";
   }
   return result;

@@ -11,9 +11,8 @@ Observation time_to(const std::optional<double>& event, double end) {
   return event ? Observation{*event, true} : Observation{end, false};
 }
 
-}  // namespace
-
-Prefix complete_prefix(const std::vector<RealisationOutcome>& outcomes) {
+std::vector<const RealisationOutcome*> in_seed_order(
+    const std::vector<RealisationOutcome>& outcomes) {
   std::vector<const RealisationOutcome*> ordered;
   ordered.reserve(outcomes.size());
   for (const RealisationOutcome& outcome : outcomes) {
@@ -23,17 +22,24 @@ Prefix complete_prefix(const std::vector<RealisationOutcome>& outcomes) {
             [](const RealisationOutcome* a, const RealisationOutcome* b) {
               return a->index < b->index;
             });
-  Prefix prefix;
-  for (std::size_t i = 0; i < ordered.size(); ++i) {
-    const RealisationOutcome& outcome = *ordered[i];
-    if (i > 0 && ordered[i - 1]->index == outcome.index) {
-      throw InvalidSample("realisation " + std::to_string(outcome.index) +
+  for (std::size_t i = 1; i < ordered.size(); ++i) {
+    if (ordered[i - 1]->index == ordered[i]->index) {
+      throw InvalidSample("realisation " + std::to_string(ordered[i]->index) +
                           " is there twice");
     }
-    if (outcome.progress == Progress::failed) {
+  }
+  return ordered;
+}
+
+}  // namespace
+
+Prefix complete_prefix(const std::vector<RealisationOutcome>& outcomes) {
+  Prefix prefix;
+  for (const RealisationOutcome* outcome : in_seed_order(outcomes)) {
+    if (outcome->progress == Progress::failed) {
       ++prefix.n_failed;
-    } else if (outcome.progress == Progress::finished) {
-      prefix.finished.push_back(&outcome);
+    } else if (outcome->progress == Progress::finished) {
+      prefix.finished.push_back(outcome);
     } else {
       break;
     }
@@ -49,16 +55,17 @@ Observation first_retention(const RealisationOutcome& outcome) {
   return time_to(outcome.t1, outcome.end);
 }
 
-std::vector<Observation> clogging_of_all_started(
+std::vector<const RealisationOutcome*> all_started(
     const std::vector<RealisationOutcome>& outcomes) {
-  std::vector<Observation> observations;
-  observations.reserve(outcomes.size());
-  for (const RealisationOutcome& outcome : outcomes) {
-    if (outcome.progress == Progress::finished || outcome.progress == Progress::running) {
-      observations.push_back(clogging(outcome));
+  std::vector<const RealisationOutcome*> started;
+  started.reserve(outcomes.size());
+  for (const RealisationOutcome* outcome : in_seed_order(outcomes)) {
+    if (outcome->progress == Progress::finished ||
+        outcome->progress == Progress::running) {
+      started.push_back(outcome);
     }
   }
-  return observations;
+  return started;
 }
 
 }  // namespace colloid::statistics

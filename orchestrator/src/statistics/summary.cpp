@@ -236,11 +236,13 @@ void count(const std::vector<RealisationOutcome>& outcomes, PointStatistics& poi
         " realisations failed and are left out: if failing goes with clogging, every "
         "number here is biased");
   }
-  if (point.n_beyond_prefix > 0) {
+  if (point.n_running > 0 || point.n_beyond_prefix > 0) {
     point.warnings.push_back(
-        std::to_string(point.n_beyond_prefix) +
-        " finished realisations wait for earlier ones: those that finish first are the "
-        "fast ones");
+        "interim: means, curves and fits are of the first " + std::to_string(point.n) +
+        " realisations, " + std::to_string(point.n_beyond_prefix) +
+        " have finished after one that has not; the runs that take long are missing, so "
+        "times are too short until all have finished.  Survival counts the running ones "
+        "as censored");
   }
 }
 
@@ -279,21 +281,19 @@ PointStatistics summarise(const std::vector<RealisationOutcome>& outcomes,
   point.level = level;
   point.n = prefix.finished.size();
   count(outcomes, point);
-  std::vector<Observation> clogged;
-  std::vector<Observation> retained;
-  clogged.reserve(point.n);
-  retained.reserve(point.n);
   for (const RealisationOutcome* outcome : prefix.finished) {
     point.n_censored += outcome->tc ? 0u : 1u;
+  }
+  std::vector<Observation> clogged;
+  std::vector<Observation> retained;
+  for (const RealisationOutcome* outcome : all_started(outcomes)) {
     clogged.push_back(clogging(*outcome));
     retained.push_back(first_retention(*outcome));
   }
   fill_means(prefix.finished, options.bootstrap, point);
   point.median_t1 = median_time(kaplan_meier(std::move(retained), level));
   const std::optional<double> tau = duration_of(outcomes, options, point.warnings);
-  point.clogging = clogging_of(
-      options.count_running ? clogging_of_all_started(outcomes) : std::move(clogged), tau,
-      level);
+  point.clogging = clogging_of(std::move(clogged), tau, level);
   fill_curves(prefix.finished, tau, options, point);
   point.stages = stages_of(point, options.colloid_diameter);
   point.alpha_fit = alpha_fit(prefix.finished, level);

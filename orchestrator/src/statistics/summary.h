@@ -33,8 +33,6 @@ struct SummaryOptions {
   double inlet_margin = 0.0;  ///< distance to the edge that colloids' centres keep [m]
   std::size_t grid_points = 201;
   bool hold_last = false;  ///< runs stop when clogged: their curves keep the last value
-  bool count_running =
-      false;  ///< survival of all that started, the running ones censored
 };
 
 /// A mean with two intervals: Student's and the bootstrap's.

@@ -15,8 +15,7 @@ namespace colloid::statistics {
 class ReferenceTable {
  public:
   explicit ReferenceTable(const std::string& name) {
-    const std::string path =
-        PORECLOG_SOURCE_DIR "/tests/verification/statistics/" + name;
+    const std::string path = PORECLOG_SOURCE_DIR "/tests/verification/statistics/" + name;
     std::ifstream file(path);
     if (!file) {
       throw std::runtime_error("cannot read " + path);
