@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "statistics/quantile.h"
 #include "statistics/resampler.h"
@@ -151,15 +152,29 @@ BootstrapIntervals bootstrap_mean(const std::vector<double>& sample,
   if (sample.size() < 2) {
     return too_few(sample, options.level);
   }
+  // From the first value on, so that of equal values every replicate is exactly theirs.
   const double n = static_cast<double>(sample.size());
-  const double mean = mean_of(sample);
+  const double origin = sample.front();
+  const auto mean_with = [&](const std::vector<std::uint32_t>& counts) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+      sum += counts[i] * (sample[i] - origin);
+    }
+    return origin + sum / n;
+  };
+  std::vector<double> replicates;
+  replicates.reserve(options.resamples);
+  Resampler resampler(sample.size(), options.seed);
+  for (std::size_t b = 0; b < options.resamples; ++b) {
+    replicates.push_back(mean_with(resampler.draw()));
+  }
+  const double mean = mean_with(std::vector<std::uint32_t>(sample.size(), 1u));
   std::vector<double> jackknife;
   jackknife.reserve(sample.size());
   for (double x : sample) {
     jackknife.push_back(mean + (mean - x) / (n - 1.0));
   }
-  return bootstrap_intervals(mean, replicates_of(sample, mean_of, options), jackknife,
-                             options.level);
+  return bootstrap_intervals(mean, std::move(replicates), jackknife, options.level);
 }
 
 }  // namespace colloid::statistics

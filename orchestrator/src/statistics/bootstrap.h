@@ -48,7 +48,7 @@ using Statistic = std::function<double(const std::vector<double>&)>;
 BootstrapIntervals bootstrap(const std::vector<double>& sample,
                              const Statistic& statistic, const BootstrapOptions& options);
 
-/// The same of the mean, whose jackknife needs no sums.
+/// The same of the mean, in time proportional to n (1 + resamples).
 BootstrapIntervals bootstrap_mean(const std::vector<double>& sample,
                                   const BootstrapOptions& options);
 
