@@ -9,6 +9,7 @@ namespace colloid::statistics {
 namespace {
 
 constexpr double kRoundOff = 1e-9;  // of a length, in units of the annuli's width
+constexpr double kMost = 1e6;
 
 }  // namespace
 
@@ -24,9 +25,14 @@ Annuli::Annuli(const Section& section, double width)
   const double reach = std::max(half_x_, half_y_);
   // A section of a whole number of widths has no sliver of an annulus at its edge.
   const double count = std::max(1.0, std::ceil(reach / width - kRoundOff));
-  edges_.reserve(static_cast<std::size_t>(count) + 1);
-  for (double i = 0.0; i < count; i += 1.0) {
-    edges_.push_back(i * width);
+  if (count > kMost) {
+    throw InvalidSample("inlet section: " + std::to_string(count) +
+                        " annuli, at most a million; is the width in metres?");
+  }
+  const std::size_t whole = static_cast<std::size_t>(count);
+  edges_.reserve(whole + 1);
+  for (std::size_t i = 0; i < whole; ++i) {
+    edges_.push_back(static_cast<double>(i) * width);
   }
   edges_.push_back(reach);
 }

@@ -58,6 +58,7 @@ TEST(Annuli, AreCutByTheNearerEdges) {
   EXPECT_NEAR(annuli.area(1), 16e-12, 1e-22);
   EXPECT_THROW(Annuli({{0.0, 0.0}, {0.0, 1.0}}, 1.0), InvalidSample);
   EXPECT_THROW(Annuli({{0.0, 1.0}, {0.0, 1.0}}, 0.0), InvalidSample);
+  EXPECT_THROW(Annuli({{0.0, 1.0}, {0.0, 1.0}}, 1e-7), InvalidSample);
 }
 
 // Four realisations: the second retained colloid of one of them does not exist.
