@@ -73,12 +73,14 @@ Likelihood likelihood(const std::vector<CensoredPoint>& points,
 Eigen::Vector3d searched_step(const std::vector<CensoredPoint>& points,
                               const Eigen::Vector3d& parameters,
                               const Eigen::Vector3d& newton, double value) {
-  constexpr double kShortest = 1e-10;
-  for (double length = 1.0; length > kShortest; length *= 0.5) {
-    const Eigen::Vector3d trial = parameters + length * newton;
+  constexpr int kHalvings = 34;  // to 1e-10
+  Eigen::Vector3d step = newton;
+  for (int i = 0; i < kHalvings; ++i) {
+    const Eigen::Vector3d trial = parameters + step;
     if (trial[2] > 0.0 && likelihood(points, trial).value >= value) {
-      return length * newton;
+      return step;
     }
+    step *= 0.5;
   }
   return Eigen::Vector3d::Zero();
 }

@@ -143,6 +143,10 @@ ExponentialFit exponential_fit(const std::vector<double>& x, const Rows& rows,
     return fit;
   }
   const Refits left_out = jackknife(x, rows, *curve);
+  if (left_out.rate.empty()) {
+    fit.note = "BCa undefined: without one of the realisations there is no minimum";
+    return fit;
+  }
   const BootstrapIntervals of_amplitude = bootstrap_intervals(
       curve->amplitude, std::move(refits.amplitude), left_out.amplitude, options.level);
   const BootstrapIntervals of_rate = bootstrap_intervals(

@@ -117,6 +117,7 @@ TEST(Stages, ThirdEndsWhereTheDeviationHasSettled) {
 // Quiet before the maximum does not count, and a maximum at the end is not past.
 TEST(Stages, ThirdEndsAfterTheMaximum) {
   EXPECT_EQ(*settling_time({0, 1, 2, 3, 4}, {0, 0, 0, 10, 10}, 0.05), 3.0);
+  EXPECT_EQ(*settling_time({0, 1, 2, 3, 4}, {0, 10, 10.1, 10.2, 10.1}, 0.05), 3.0);
   EXPECT_FALSE(settling_time({0, 1, 2, 3}, {0, 0, 0, 10}, 0.05));
   EXPECT_FALSE(settling_time({0, 1, 2, 3}, {0, 0, 0, 0}, 0.05));
   EXPECT_FALSE(settling_time({0}, {0}, 0.05));
