@@ -54,6 +54,7 @@ KaplanMeier kaplan_meier(std::vector<Observation> observations, double level);
 
 /// The step in force at `time`; none before the first or when n = 0.
 const SurvivalStep* step_at(const KaplanMeier& curve, double time);
+const SurvivalStep* step_at(KaplanMeier&& curve, double time) = delete;  // would dangle
 
 /// Median time, and the interval of Brookmeyer & Crowley (1982, Biometrics 38, 29): all
 /// times at which the pointwise interval of S contains 1/2.  A limit that the curve does

@@ -3,9 +3,10 @@
 // The first ends at the median time of first retention, the second where the mean
 // critical diameter falls to the colloid's diameter, the third where, after the maximum
 // of its standard deviation s, |ds/dt| stays below 5 % of the largest |ds/dt|; the fourth
-// is the rest.  ds/dt is the difference quotient on the grid, so the end of the third
-// stage is known to one grid step and depends on the grid: recorded curves are steps,
-// whose jumps a finer grid makes steeper.
+// is the rest.  The definitions do not put the second and third in order: a spread that
+// settles early ends the third first.  ds/dt is the difference quotient on the grid, so
+// the end of the third stage is known to one grid step and depends on the grid: recorded
+// curves are steps, whose jumps a finer grid makes steeper.
 #pragma once
 
 #include <optional>

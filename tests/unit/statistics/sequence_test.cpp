@@ -122,7 +122,8 @@ TEST(Prefix, CompletionOrderBiasIsAvoidedByCensoring) {
       of_prefix += std::accumulate(look.prefix.begin(), look.prefix.end(), 0.0) /
                    static_cast<double>(look.prefix.size());
     }
-    survival += step_at(kaplan_meier(look.started, 0.95), 0.5)->survival / kEnsembles;
+    const KaplanMeier curve = kaplan_meier(look.started, 0.95);
+    survival += step_at(curve, 0.5)->survival / kEnsembles;
   }
   std::printf("mean of the first 32 finished: %.3f; S(0.5): %.4f; of %d prefixes: %.3f\n",
               of_finished, survival, prefixes, of_prefix / prefixes);

@@ -190,7 +190,8 @@ TEST(EventProbability, IsKaplanMeierIfSomebodyDid) {
       {1, true}, {2, false}, {3, true}, {5, false}, {5, false}};
   const EventProbability found = event_probability(observations, 5.0, 0.95);
   EXPECT_NEAR(*found.estimate, 1.0 - 0.8 * 2.0 / 3.0, 1e-15);
-  const SurvivalStep* step = step_at(kaplan_meier(observations, 0.95), 5.0);
+  const KaplanMeier curve = kaplan_meier(observations, 0.95);
+  const SurvivalStep* step = step_at(curve, 5.0);
   ASSERT_NE(step, nullptr);
   EXPECT_EQ(found.interval->low, 1.0 - step->interval.high);
   EXPECT_FALSE(event_probability(observations, 6.0, 0.95).estimate);
