@@ -5,6 +5,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "base/clock.h"
@@ -44,6 +45,10 @@ int workers_of(const Plan& plan) {
   return plan.limits.workers > 0 ? plan.limits.workers : std::max(1, cores / plan.ranks);
 }
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 nlohmann::ordered_json outcome_json(const Plan& plan, const RunFolder& folder,
                                     Store& store, int exit_code,
                                     const std::string& why) {
@@ -55,6 +60,10 @@ nlohmann::ordered_json outcome_json(const Plan& plan, const RunFolder& folder,
   }
   out["contradictions"] = store.contradictions();
   out["stopped"] = why.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(why);
+  rusage own{};
+  ::getrusage(RUSAGE_SELF, &own);
+  out["orchestrator_cpu_s"] = seconds(own.ru_utime) + seconds(own.ru_stime);
+  out["orchestrator_memory_kB"] = own.ru_maxrss;
   out["database"] = store.database().path();
   out["run_folder"] = folder.path();
   out["exit_code"] = exit_code;

@@ -91,8 +91,8 @@ class Show : public Command {
     const QueryResult result = ask(
         database,
         fmt::format("SELECT * FROM {} WHERE campaign = :campaign AND point = {} AND "
-                    "idx = {} AND tier = '{}'",
-                    view, point_, index_, ensemble.tier),
+                    "idx = {} AND ('{}' = 'auto' OR tier = '{}')",
+                    view, point_, index_, ensemble.tier, ensemble.tier),
         plan.campaign);
     Json out = Json::array();
     for (const auto& row : result.rows) {
