@@ -46,8 +46,8 @@ int run(int argc, char** argv) {
   CLI::App program("Runs ensembles of colloids that clog a pore throat");
   program.name("poreclog");
   program.set_version_flag(
-      "--version", fmt::format("poreclog {} (commit {})", PORECLOG_VERSION,
-                               PORECLOG_GIT_COMMIT));
+      "--version",
+      fmt::format("poreclog {} (commit {})", PORECLOG_VERSION, PORECLOG_GIT_COMMIT));
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 all done, 1 refused, 2 finished with failed realisations,\n"

@@ -1,5 +1,5 @@
-// Stands in for poreclog-solve where the orchestrator is tested: the same command line and
-// the same result file, made from the seed alone in a few milliseconds; and, asked by
+// Stands in for poreclog-solve where the orchestrator is tested: the same command line
+// and the same result file, made from the seed alone in a few milliseconds; and, asked by
 // environment variables, every fault a solver can have.
 //
 //   FAKE_FAULT        hang | ignore_term | crash | abort_exit | not_converged | refuse |
@@ -69,7 +69,8 @@ struct Arguments {
 
 bool has_fault(const Arguments& arguments) {
   const std::string folder = std::filesystem::current_path().filename().string();
-  const int attempt = folder.rfind("attempt-", 0) == 0 ? std::atoi(folder.c_str() + 8) : 1;
+  const int attempt =
+      folder.rfind("attempt-", 0) == 0 ? std::atoi(folder.c_str() + 8) : 1;
   const int attempts = std::atoi(environment("FAKE_ATTEMPTS", "1000000").c_str());
   const auto one_in = std::stoull(environment("FAKE_ONE_IN", "1"));
   return !environment("FAKE_FAULT").empty() && attempt <= attempts &&
@@ -78,7 +79,7 @@ bool has_fault(const Arguments& arguments) {
 
 [[noreturn]] void hang() {
   for (;;) {
-    std::this_thread::sleep_for(std::chrono::seconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
     if (stop_requested != 0) {
       std::exit(5);
     }
@@ -103,8 +104,7 @@ hid_t text_type(std::size_t length) {
 void put_text(hid_t object, const char* name, const std::string& text) {
   const hid_t space = H5Screate(H5S_SCALAR);
   const hid_t type = text_type(text.size());
-  const hid_t attribute =
-      H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
   H5Awrite(attribute, type, text.data());
   H5Aclose(attribute);
   H5Tclose(type);
@@ -187,8 +187,7 @@ void write_series(hid_t file, const Story& story) {
     diameter.push_back(4.0e-5 * std::exp(-count / 20.0));
     ratio.push_back(std::exp(-count / 10.0));
   }
-  const hid_t group =
-      H5Gcreate2(file, "series", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t group = H5Gcreate2(file, "series", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   put_column(group, "time_s", time);
   put_column(group, "critical_diameter_m", diameter);
   put_column(group, "permeability_ratio", ratio);
@@ -196,8 +195,7 @@ void write_series(hid_t file, const Story& story) {
 }
 
 void write_retained(hid_t file, const Story& story, SplitMix& random) {
-  const hid_t group =
-      H5Gcreate2(file, "retained", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t group = H5Gcreate2(file, "retained", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   const std::size_t rows = story.retention.size();
   std::vector<double> order;
   std::vector<double> contact;

@@ -1,12 +1,13 @@
 // poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP -- COMMAND...: keeps one attempt.
 //
-// It lies between the orchestrator (or a cluster's scheduler) and the solver, so that what
-// must not die with the orchestrator does not: the time limit, the record of how the solver
-// ended, and the sign that it still runs.
+// It lies between the orchestrator (or a cluster's scheduler) and the solver, so that
+// what must not die with the orchestrator does not: the time limit, the record of how the
+// solver ended, and the sign that it still runs.
 //   - It holds the lock of FOLDER/lock, and the solver inherits it: held means alive.
 //   - Output goes to FOLDER/stdout and FOLDER/stderr; FOLDER is the working directory.
 //   - After SECONDS, or on SIGTERM or SIGINT, the solver gets SIGTERM, SECONDS_TO_STOP
-//     later SIGKILL; on SIGQUIT it gets SIGKILL at once.  Times are of the monotonic clock.
+//     later SIGKILL; on SIGQUIT it gets SIGKILL at once.  Times are of the monotonic
+//     clock.
 //   - If this program is killed, the kernel kills the solver: nothing runs unwatched.
 //   - FOLDER/ending.json says how it ended; it is whole or absent.
 // It always ends with 0 unless it could not do this.  Without the C++ library's iostream
@@ -177,10 +178,9 @@ bool write_ending(const Ending& ending, const timespec& started) {
                ending.stopped == nullptr ? "null" : ending.stopped,
                ending.stopped == nullptr ? "" : "\"",
                ending.out_of_memory > 0 ? "true" : "false");
-  std::fprintf(file,
-               "\"wall_s\": %.6f, \"cpu_s\": %.6f, \"memory_kB\": %ld, \"node\": \"%s\"}\n",
-               ending.seconds, cpu_seconds(ending.usage), ending.usage.ru_maxrss,
-               host.data());
+  std::fprintf(
+      file, "\"wall_s\": %.6f, \"cpu_s\": %.6f, \"memory_kB\": %ld, \"node\": \"%s\"}\n",
+      ending.seconds, cpu_seconds(ending.usage), ending.usage.ru_maxrss, host.data());
   const bool written = std::ferror(file) == 0;
   return std::fclose(file) == 0 && written &&
          std::rename("ending.json.part", "ending.json") == 0;
@@ -190,8 +190,8 @@ bool write_ending(const Ending& ending, const timespec& started) {
 
 int main(int argc, char** argv) {
   if (argc < 6 || std::strcmp(argv[4], "--") != 0) {
-    std::fprintf(stderr,
-                 "usage: poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP -- COMMAND...\n");
+    std::fprintf(
+        stderr, "usage: poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP -- COMMAND...\n");
     return 1;
   }
   sigset_t signals{};
@@ -218,8 +218,8 @@ int main(int argc, char** argv) {
     return 1;
   }
   ::setpgid(solver, solver);  // here too: the solver may not have come to it yet
-  Ending ending = keep(solver, signals, std::strtod(argv[2], nullptr),
-                       std::strtod(argv[3], nullptr));
+  Ending ending =
+      keep(solver, signals, std::strtod(argv[2], nullptr), std::strtod(argv[3], nullptr));
   ending.out_of_memory = WIFSIGNALED(ending.status) && WTERMSIG(ending.status) == SIGKILL
                              ? kills_for_memory() - kills_before
                              : 0;

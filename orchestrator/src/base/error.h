@@ -1,6 +1,7 @@
-// Errors by audience.  A user's mistake is an InputError; a disk, database or machine that
-// does not do its part is a StorageError; a programmer's mistake is an assert.  Thrown
-// where found, caught once in main, which prints one line and returns the exit code.
+// Errors by audience.  A user's mistake is an InputError; a disk, database or machine
+// that does not do its part is a StorageError; a programmer's mistake is an assert.
+// Thrown where found, caught once in main, which prints one line and returns the exit
+// code.
 #pragma once
 
 #include <stdexcept>

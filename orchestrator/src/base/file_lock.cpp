@@ -39,13 +39,14 @@ std::optional<FileLock> FileLock::take(const std::string& path,
     if (error == EAGAIN || error == EACCES) {
       return std::nullopt;
     }
-    throw StorageError(fmt::format("{}: cannot be locked: {}", path,
-                                   std::strerror(error)));
+    throw StorageError(
+        fmt::format("{}: cannot be locked: {}", path, std::strerror(error)));
   }
   std::array<char, 512> old{};
   const ssize_t length = ::read(descriptor, old.data(), old.size());
-  FileLock lock(descriptor,
-                std::string(old.data(), static_cast<std::size_t>(std::max(length, ssize_t{0}))));
+  FileLock lock(
+      descriptor,
+      std::string(old.data(), static_cast<std::size_t>(std::max(length, ssize_t{0}))));
   if (::ftruncate(descriptor, 0) != 0 ||
       ::pwrite(descriptor, holder.data(), holder.size(), 0) < 0) {
     throw StorageError(

@@ -1,9 +1,9 @@
 // A lock that the system takes back when its holder dies, however it dies.
 //
-// A lock of the open file description (fcntl(2), F_OFD_SETLK) on a file that stays.  It can
-// be asked after without being taken, so that asking never gets in a holder's way.  What is
-// in the file (who, where, since when) is for people and may be stale; whether the lock is
-// held never is.
+// A lock of the open file description (fcntl(2), F_OFD_SETLK) on a file that stays.  It
+// can be asked after without being taken, so that asking never gets in a holder's way.
+// What is in the file (who, where, since when) is for people and may be stale; whether
+// the lock is held never is.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace colloid {
 
 class FileLock {
  public:
-  /// Takes the lock of the file `path`, which is made if need be, and writes `holder` into
-  /// it; none if another process holds it.  Children do not inherit it.
+  /// Takes the lock of the file `path`, which is made if need be, and writes `holder`
+  /// into it; none if another process holds it.  Children do not inherit it.
   static std::optional<FileLock> take(const std::string& path, const std::string& holder);
 
   /// Is the lock held by anyone?  False if there is no such file.

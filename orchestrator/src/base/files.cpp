@@ -68,7 +68,8 @@ std::optional<std::string> content(const std::string& path) {
 
 std::string read_text_file(const std::string& path) {
   auto text = content(path);
-  require(text.has_value(), path, fmt::format("cannot be read: {}", std::strerror(errno)));
+  require(text.has_value(), path,
+          fmt::format("cannot be read: {}", std::strerror(errno)));
   require(text->find_first_not_of(" \t\r\n") != std::string::npos, path, "is empty");
   return *text;
 }

@@ -19,9 +19,9 @@ std::string place(const std::string& text, std::size_t offset) {
   const std::string before = text.substr(0, std::min(offset, text.size()));
   const std::size_t newline = before.rfind('\n');
   const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
-  const auto column =
-      std::count_if(before.begin() + static_cast<std::ptrdiff_t>(begin), before.end(),
-                    [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  const auto column = std::count_if(
+      before.begin() + static_cast<std::ptrdiff_t>(begin), before.end(),
+      [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
   return fmt::format("line {}, column {}",
                      std::count(before.begin(), before.end(), '\n') + 1, column + 1);
 }
@@ -85,10 +85,17 @@ class Walker {
 
   void value(const std::string& pointer) {
     switch (peek()) {
-      case '{': object(pointer); break;
-      case '[': array(pointer); break;
-      case '"': string(); break;
-      default: at_ = std::min(text_.find_first_of(",]} \t\r\n", at_), text_.size());
+      case '{':
+        object(pointer);
+        break;
+      case '[':
+        array(pointer);
+        break;
+      case '"':
+        string();
+        break;
+      default:
+        at_ = std::min(text_.find_first_of(",]} \t\r\n", at_), text_.size());
     }
   }
 
@@ -136,7 +143,9 @@ nlohmann::json parse_json(const std::string& text, const std::string& path) {
     throw InputError(path + " " + place(text, offset),
                      pointer + ": the key is given twice");
   };
-  Walker(text, [](const std::string&, std::size_t) {}, repeated).walk();
+  Walker(
+      text, [](const std::string&, std::size_t) {}, repeated)
+      .walk();
   return parsed;
 }
 

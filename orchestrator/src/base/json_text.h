@@ -13,7 +13,8 @@ namespace colloid {
 nlohmann::json parse_json(const std::string& text, const std::string& path);
 
 /// "line 3, column 7": where the member or element at `pointer` begins (a member at its
-/// key), or the innermost value around it that exists.  `text` was accepted by parse_json.
+/// key), or the innermost value around it that exists.  `text` was accepted by
+/// parse_json.
 std::string locate(const std::string& text, const std::string& pointer);
 
 /// `pointer` extended by a key, which is escaped (RFC 6901).

@@ -43,8 +43,8 @@ void list_differences(const json& before, const json& after, const std::string& 
     if (pointer == "/description") {
       continue;
     }
-    const std::string line = fmt::format("{}: {} -> {}", pointer, value_at(before, pointer),
-                                         value_at(after, pointer));
+    const std::string line = fmt::format(
+        "{}: {} -> {}", pointer, value_at(before, pointer), value_at(after, pointer));
     const bool known = std::any_of(out.begin(), out.end(), [&](const std::string& other) {
       return other.compare(0, line.size(), line) == 0;
     });

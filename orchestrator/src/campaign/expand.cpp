@@ -24,7 +24,8 @@ using nlohmann::json;
 class TemporaryFile {
  public:
   TemporaryFile()
-      : path_((std::filesystem::temp_directory_path() / "poreclog-scene-XXXXXX").string()) {
+      : path_(
+            (std::filesystem::temp_directory_path() / "poreclog-scene-XXXXXX").string()) {
     const int descriptor = ::mkstemp(path_.data());
     if (descriptor < 0) {
       throw StorageError("no temporary file can be made in the folder for such files");
@@ -90,7 +91,8 @@ json patched(const Campaign& campaign, const Choice& choice, const std::string& 
   const json::json_pointer table("/geometry/spheres_file");
   if (scene.contains(table) && scene[table].is_string() &&
       !scene[table].get<std::string>().empty()) {
-    scene[table] = absolute((folder_of(campaign) / scene[table].get<std::string>()).string());
+    scene[table] =
+        absolute((folder_of(campaign) / scene[table].get<std::string>()).string());
   }
   return scene;
 }
@@ -121,9 +123,9 @@ json patched(const Campaign& campaign, const Choice& choice, const std::string& 
   if (campaign.scene_path.empty()) {
     refuse(campaign, pointer == "/" ? "/scene" : "/scene" + pointer, why);
   }
-  throw InputError(campaign.scene_path + " " +
-                       locate(read_text_file(campaign.scene_path), pointer),
-                   pointer + ": " + why);
+  throw InputError(
+      campaign.scene_path + " " + locate(read_text_file(campaign.scene_path), pointer),
+      pointer + ": " + why);
 }
 
 json spelt_out(const Campaign& campaign, const SolverProgram& solver,
@@ -167,10 +169,17 @@ void refuse_if_same(const Campaign& campaign, const Plan& plan, const DesignPoin
 }  // namespace
 
 Plan expand(const Campaign& campaign, const SolverProgram& solver) {
-  Plan plan{campaign.name,       campaign.description, campaign.master_seed,
-            campaign.independent_points, campaign.realisations, campaign.executor,
-            campaign.ranks,      campaign.limits,      campaign.statistics,
-            {},                  {}};
+  Plan plan{campaign.name,
+            campaign.description,
+            campaign.master_seed,
+            campaign.independent_points,
+            campaign.realisations,
+            campaign.executor,
+            campaign.ranks,
+            campaign.limits,
+            campaign.statistics,
+            {},
+            {}};
   const std::vector<std::string> tiers =
       campaign.tiers.empty() ? std::vector<std::string>{""} : campaign.tiers;
   for (const Choice& choice : choices(campaign)) {

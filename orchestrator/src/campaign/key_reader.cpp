@@ -66,10 +66,11 @@ void KeyReader::integer(const char* key, int low, int high, int& value) {
     return;
   }
   // As a double: an integer of 64 bits need not fit an int.
-  require(found->is_number_integer() && found->get<double>() >= low &&
-              found->get<double>() <= high,
-          pointer_to(key),
-          fmt::format("is {}, expected an integer in [{}, {}]", shown(*found), low, high));
+  require(
+      found->is_number_integer() && found->get<double>() >= low &&
+          found->get<double>() <= high,
+      pointer_to(key),
+      fmt::format("is {}, expected an integer in [{}, {}]", shown(*found), low, high));
   value = found->get<int>();
 }
 
@@ -78,10 +79,10 @@ void KeyReader::number(const char* key, double low, double high, double& value) 
   if (found == nullptr) {
     return;
   }
-  require(found->is_number() && found->get<double>() >= low &&
-              found->get<double>() <= high,
-          pointer_to(key),
-          fmt::format("is {}, expected a number in [{}, {}]", shown(*found), low, high));
+  require(
+      found->is_number() && found->get<double>() >= low && found->get<double>() <= high,
+      pointer_to(key),
+      fmt::format("is {}, expected a number in [{}, {}]", shown(*found), low, high));
   value = found->get<double>();
 }
 
@@ -100,9 +101,10 @@ void KeyReader::finish() const {
     const bool known =
         std::find(known_.begin(), known_.end(), member.key()) != known_.end();
     require(known, join_pointer(pointer_, member.key()),
-            known ? ""
-                  : fmt::format("is not a known key here; the nearest is \"{}\"; known: {}",
-                                nearest(member.key(), known_), fmt::join(known_, ", ")));
+            known
+                ? ""
+                : fmt::format("is not a known key here; the nearest is \"{}\"; known: {}",
+                              nearest(member.key(), known_), fmt::join(known_, ", ")));
   }
 }
 

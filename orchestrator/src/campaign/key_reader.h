@@ -1,5 +1,5 @@
-// Reads the keys of one JSON object: each once, with its type and range; a key nobody asked
-// for is an error, never ignored.
+// Reads the keys of one JSON object: each once, with its type and range; a key nobody
+// asked for is an error, never ignored.
 #pragma once
 
 #include <string>

@@ -103,13 +103,13 @@ Plan plan_from_json(const json& value, const std::string& path) {
   try {
     const int format = value.at("format").get<int>();
     if (format != kFormat) {
-      throw InputError(path, fmt::format("has format {}, this program knows {}", format,
-                                         kFormat));
+      throw InputError(
+          path, fmt::format("has format {}, this program knows {}", format, kFormat));
     }
     return plan_from(value);
   } catch (const json::exception& error) {
-    throw InputError(path, fmt::format("is not a run folder's campaign: {}",
-                                       error.what()));
+    throw InputError(path,
+                     fmt::format("is not a run folder's campaign: {}", error.what()));
   }
 }
 

@@ -48,9 +48,9 @@ void check_statistics(const json& value) {
 
 /// An unsigned integer of 64 bits, as text: doubles, and many readers of JSON, hold 53.
 std::string seed_text(const json& value) {
-  const std::string text =
-      value.is_string() ? value.get<std::string>()
-                        : value.is_number_unsigned() ? value.dump() : "";
+  const std::string text = value.is_string()            ? value.get<std::string>()
+                           : value.is_number_unsigned() ? value.dump()
+                                                        : "";
   const bool digits = !text.empty() && text.size() <= 20 &&
                       text.find_first_not_of("0123456789") == std::string::npos &&
                       (text == "0" || text[0] != '0');
@@ -129,7 +129,8 @@ void read_scene(const json& value, Campaign& campaign) {
     return;
   }
   const std::filesystem::path folder = std::filesystem::path(campaign.path).parent_path();
-  const std::string file = (folder / value.get<std::string>()).lexically_normal().string();
+  const std::string file =
+      (folder / value.get<std::string>()).lexically_normal().string();
   require(std::filesystem::exists(file), "/scene",
           fmt::format("there is no file {}", in_quotes(file)));
   campaign.scene_path = file;

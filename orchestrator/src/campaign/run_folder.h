@@ -31,7 +31,9 @@ class RunFolder {
   void write_plan(const Plan& plan) const;
 
   std::string ensemble(const Ensemble& ensemble) const;
-  std::string scene_file(const Ensemble& of) const { return ensemble(of) + "/scene.json"; }
+  std::string scene_file(const Ensemble& of) const {
+    return ensemble(of) + "/scene.json";
+  }
   std::string realisation(const Plan& plan, const Item& item) const;
 
   /// Indices of an ensemble that have a folder, ascending.

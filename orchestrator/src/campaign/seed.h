@@ -1,10 +1,10 @@
 // The seed of a realisation.
 //
 // A pure function of the campaign's master seed and the realisation's index, so that more
-// realisations, other workers, another tier or a restart change no seed, and so that every
-// design point meets the same injections (common random numbers make paired differences
-// sharp).  master + index would do the first, but the ensembles of neighbouring master
-// seeds would overlap; a hash does not.
+// realisations, other workers, another tier or a restart change no seed, and so that
+// every design point meets the same injections (common random numbers make paired
+// differences sharp).  master + index would do the first, but the ensembles of
+// neighbouring master seeds would overlap; a hash does not.
 #pragma once
 
 #include <cstdint>

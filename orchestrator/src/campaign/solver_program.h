@@ -16,13 +16,13 @@ class SolverProgram {
   /// `path` of poreclog-solve; the program of the transient tier lies beside it.
   explicit SolverProgram(std::string path) : path_(std::move(path)) {}
 
-  /// The one named by the option, else by PORECLOG_SOLVER, else the one built or installed
-  /// beside this program.  InputError if there is none.
+  /// The one named by the option, else by PORECLOG_SOLVER, else the one built or
+  /// installed beside this program.  InputError if there is none.
   static SolverProgram find(const std::optional<std::string>& option);
 
   const std::string& path() const { return path_; }
 
-  /// `describe --scene`: the scene in the file with every default spelled out.  InputError
+  /// `describe --scene`: the scene in the file with every default spelled out. InputError
   /// with the solver's own words if it is refused.
   nlohmann::json spell_out(const std::string& scene_file) const;
 

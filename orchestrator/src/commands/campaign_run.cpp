@@ -95,7 +95,8 @@ bool CampaignRun::next(Item& item) {
 void CampaignRun::start(const Item& item) {
   const std::string realisation = folder_.realisation(plan_, item);
   const bool is_first = claim_folder(realisation);
-  const std::vector<int> before = is_first ? std::vector<int>{} : attempts_in(realisation);
+  const std::vector<int> before =
+      is_first ? std::vector<int>{} : attempts_in(realisation);
   AttemptRecord attempt;
   attempt.number = before.empty() ? 1 : before.back() + 1;
   const std::string folder = attempt_folder(realisation, attempt.number);

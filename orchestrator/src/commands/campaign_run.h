@@ -21,8 +21,8 @@ class CampaignRun {
   CampaignRun(const Plan& plan, const RunFolder& folder, const SolverProgram& solver,
               Store& store, Executor& executor, const Signals& signals);
 
-  /// Takes over what is running, starts what is eligible, ingests what ends, until nothing
-  /// is left or somebody stops it.  Returns an ExitCode.
+  /// Takes over what is running, starts what is eligible, ingests what ends, until
+  /// nothing is left or somebody stops it.  Returns an ExitCode.
   int run();
 
   /// Why it stopped early; empty if it did not.

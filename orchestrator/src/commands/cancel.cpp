@@ -24,8 +24,9 @@ class Cancel : public Command {
     common_.declare(app);
     app.add_option("campaign", campaign_, "A campaign file, or the name of a campaign")
         ->required();
-    app.add_flag("--now", now_, "Kill the realisations instead of letting them write "
-                                "checkpoints");
+    app.add_flag("--now", now_,
+                 "Kill the realisations instead of letting them write "
+                 "checkpoints");
   }
 
   int run() override {
@@ -72,8 +73,7 @@ class Cancel : public Command {
                               const std::string& lock_file) {
     const double patience = monotonic_seconds() + plan.limits.seconds_to_stop + 10.0;
     while (FileLock::is_held(lock_file)) {
-      if (monotonic_seconds() > patience ||
-          signals.wait(0.1) == Signals::Event::stop) {
+      if (monotonic_seconds() > patience || signals.wait(0.1) == Signals::Event::stop) {
         throw StorageError(lock_file + " is still held: it has not stopped");
       }
     }

@@ -30,9 +30,9 @@ struct Cost {
 
 /// The regime of a scene that stands in no file yet.
 nlohmann::json regime_of(const SolverProgram& solver, const nlohmann::json& scene) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() /
-       fmt::format("poreclog-check-{}.json", ::getpid())).string();
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            fmt::format("poreclog-check-{}.json", ::getpid()))
+                               .string();
   write_whole(path, scene.dump() + "\n", false);
   const nlohmann::json regime = solver.regime(path);
   ::unlink(path.c_str());
@@ -97,8 +97,8 @@ class Check : public Command {
   Json described(const Plan& plan) const {
     const SolverProgram solver = SolverProgram::find(common_.solver);
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int workers = plan.limits.workers > 0 ? plan.limits.workers
-                                                : std::max(1, cores / plan.ranks);
+    const int workers =
+        plan.limits.workers > 0 ? plan.limits.workers : std::max(1, cores / plan.ranks);
     Json ensembles = Json::array();
     long to_run = 0;
     std::optional<double> core_seconds = 0.0;
@@ -108,36 +108,36 @@ class Check : public Command {
       const Cost cost = cost_of(regime, past, plan);
       const long left = plan.realisations - past.ingested - past.failed;
       to_run += left;
-      core_seconds = core_seconds && (cost.seconds || left == 0)
-                         ? std::optional(*core_seconds + cost.seconds.value_or(0.0) *
-                                                             static_cast<double>(left) *
-                                                             plan.ranks)
-                         : std::nullopt;
-      ensembles.push_back(
-          {{"point", e.point},
-           {"varied", values_of(plan, e.point)},
-           {"tier", e.tier},
-           {"realisations", plan.realisations},
-           {"ingested", past.ingested},
-           {"failed", past.failed},
-           {"to_run", left},
-           {"seconds_each", cost.seconds ? Json(*cost.seconds) : Json()},
-           {"seconds_basis", cost.basis},
-           {"models", regime.value("models", nlohmann::json())},
-           {"reasons", regime.value("reasons", nlohmann::json())},
-           {"regime", regime}});
+      core_seconds =
+          core_seconds && (cost.seconds || left == 0)
+              ? std::optional(*core_seconds + cost.seconds.value_or(0.0) *
+                                                  static_cast<double>(left) * plan.ranks)
+              : std::nullopt;
+      ensembles.push_back({{"point", e.point},
+                           {"varied", values_of(plan, e.point)},
+                           {"tier", e.tier},
+                           {"realisations", plan.realisations},
+                           {"ingested", past.ingested},
+                           {"failed", past.failed},
+                           {"to_run", left},
+                           {"seconds_each", cost.seconds ? Json(*cost.seconds) : Json()},
+                           {"seconds_basis", cost.basis},
+                           {"models", regime.value("models", nlohmann::json())},
+                           {"reasons", regime.value("reasons", nlohmann::json())},
+                           {"regime", regime}});
     }
-    return {{"schema_version", 1},
-            {"campaign", plan.campaign},
-            {"master_seed", plan.master_seed},
-            {"executor", plan.executor},
-            {"workers", workers},
-            {"ranks", plan.ranks},
-            {"realisations", static_cast<long>(plan.ensembles.size()) * plan.realisations},
-            {"to_run", to_run},
-            {"core_hours", core_seconds ? Json(*core_seconds / 3600.0) : Json()},
-            {"seconds", core_seconds ? Json(*core_seconds / plan.ranks / workers) : Json()},
-            {"ensembles", ensembles}};
+    return {
+        {"schema_version", 1},
+        {"campaign", plan.campaign},
+        {"master_seed", plan.master_seed},
+        {"executor", plan.executor},
+        {"workers", workers},
+        {"ranks", plan.ranks},
+        {"realisations", static_cast<long>(plan.ensembles.size()) * plan.realisations},
+        {"to_run", to_run},
+        {"core_hours", core_seconds ? Json(*core_seconds / 3600.0) : Json()},
+        {"seconds", core_seconds ? Json(*core_seconds / plan.ranks / workers) : Json()},
+        {"ensembles", ensembles}};
   }
 
   static nlohmann::json values_of(const Plan& plan, int number) {
@@ -154,8 +154,8 @@ class Check : public Command {
     for (const Json& e : plan["ensembles"]) {
       out += fmt::format("\npoint {}  tier {}  {}\n", e["point"].get<int>(),
                          e["tier"].get<std::string>(), e["varied"].dump());
-      out += fmt::format("  {} to run of {}; time of one: {}{}\n", e["to_run"].get<long>(),
-                         e["realisations"].get<int>(),
+      out += fmt::format("  {} to run of {}; time of one: {}{}\n",
+                         e["to_run"].get<long>(), e["realisations"].get<int>(),
                          e["seconds_each"].is_null()
                              ? ""
                              : duration_text(e["seconds_each"].get<double>()) + ", ",
@@ -170,9 +170,9 @@ class Check : public Command {
       }
     }
     if (!plan["seconds"].is_null()) {
-      out += fmt::format("\nabout {:.3g} core-hours, {}\n",
-                         plan["core_hours"].get<double>(),
-                         duration_text(plan["seconds"].get<double>()));
+      out +=
+          fmt::format("\nabout {:.3g} core-hours, {}\n", plan["core_hours"].get<double>(),
+                      duration_text(plan["seconds"].get<double>()));
     }
     return out;
   }

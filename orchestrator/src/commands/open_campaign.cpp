@@ -41,8 +41,9 @@ Plan stored_plan(const std::string& name, const CommonOptions& options) {
   throw InputError(
       "campaign",
       fmt::format("{} has no run folder in {}{}", in_quotes(name), options.runs,
-                  known.empty() ? ""
-                                : fmt::format("; the nearest is \"{}\"", nearest(name, known))));
+                  known.empty()
+                      ? ""
+                      : fmt::format("; the nearest is \"{}\"", nearest(name, known))));
 }
 
 OpenedCampaign open_campaign(const std::string& file_or_name,

@@ -13,8 +13,8 @@ struct OpenedCampaign {
   bool exists = false;  ///< it has a run folder
 };
 
-/// Reads the campaign.  A file is expanded by the solver and compared with the run folder:
-/// changes that make finished realisations wrong are refused with their list.
+/// Reads the campaign.  A file is expanded by the solver and compared with the run
+/// folder: changes that make finished realisations wrong are refused with their list.
 OpenedCampaign open_campaign(const std::string& file_or_name,
                              const CommonOptions& options);
 

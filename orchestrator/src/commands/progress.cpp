@@ -12,9 +12,9 @@ namespace colloid {
 
 namespace {
 
-constexpr double kBarInterval = 0.2;   // [s]
-constexpr double kLineInterval = 10.0; // [s]
-constexpr long kBarWidth = 30;         // characters
+constexpr double kBarInterval = 0.2;    // [s]
+constexpr double kLineInterval = 10.0;  // [s]
+constexpr long kBarWidth = 30;          // characters
 
 }  // namespace
 
@@ -44,8 +44,8 @@ void Progress::show(long ingested, long failed, long active, bool at_once) {
   }
   text += fmt::format(", {} running", active);
   if (here > 0 && done < total_) {
-    const double left = (now - started_) / static_cast<double>(here) *
-                        static_cast<double>(total_ - done);
+    const double left =
+        (now - started_) / static_cast<double>(here) * static_cast<double>(total_ - done);
     text += ", about " + duration_text(left) + " left";
   }
   if (terminal_) {

@@ -142,10 +142,11 @@ class Query : public Command {
         names.emplace_back(query.name);
       }
       const CannedQuery* known = canned(statement);
-      require(known != nullptr, "query",
-              fmt::format("{} is neither a SELECT nor the name of a question; the nearest "
-                          "is \"{}\"",
-                          in_quotes(statement), nearest(statement, names)));
+      require(
+          known != nullptr, "query",
+          fmt::format("{} is neither a SELECT nor the name of a question; the nearest "
+                      "is \"{}\"",
+                      in_quotes(statement), nearest(statement, names)));
       statement = known->sql;
     }
     if (sql_) {

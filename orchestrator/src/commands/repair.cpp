@@ -52,7 +52,8 @@ class Repair : public Command {
     const nlohmann::ordered_json out{
         {"schema_version", 1},
         {"database", database},
-        {"old_database", kept.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(kept)},
+        {"old_database",
+         kept.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(kept)},
         {"campaigns", campaigns}};
     std::cout << (common_.json ? out.dump(2) + "\n" : text_of(out));
     return exit_done;
@@ -99,10 +100,11 @@ class Repair : public Command {
       for (const auto& other : after.rows) {
         now = other[0] == row[0] ? other[1].get<long>() : now;
       }
-      require(now >= row[1].get<long>(), "repair",
-              fmt::format("the old database has {} results of campaign {}, the run folders "
-                          "have {}: give --force to lose them (the old one is kept)",
-                          row[1].get<long>(), row[0].get<std::string>(), now));
+      require(
+          now >= row[1].get<long>(), "repair",
+          fmt::format("the old database has {} results of campaign {}, the run folders "
+                      "have {}: give --force to lose them (the old one is kept)",
+                      row[1].get<long>(), row[0].get<std::string>(), now));
     }
   }
 

@@ -50,8 +50,7 @@ double seconds(const timeval& time) {
 }
 
 nlohmann::ordered_json outcome_json(const Plan& plan, const RunFolder& folder,
-                                    Store& store, int exit_code,
-                                    const std::string& why) {
+                                    Store& store, int exit_code, const std::string& why) {
   nlohmann::ordered_json out{{"schema_version", 1}, {"campaign", plan.campaign}};
   const std::array<long, 5> counts = store.count();
   out["realisations"] = static_cast<long>(plan.ensembles.size()) * plan.realisations;
@@ -91,7 +90,8 @@ class WorkCommand : public Command {
   void declare_options(CLI::App& app) override {
     common_.declare(app);
     app.add_option("campaign", campaign_, campaign_help())->required();
-    app.add_option("--workers", workers_, "Realisations at once (default: the campaign's)")
+    app.add_option("--workers", workers_,
+                   "Realisations at once (default: the campaign's)")
         ->envname("PORECLOG_WORKERS")
         ->check(CLI::Range(1, 4096));
     declare_more(app);
@@ -107,11 +107,10 @@ class WorkCommand : public Command {
     }
     const SolverProgram solver = SolverProgram::find(common_.solver);
     const RunFolder folder(common_.runs, plan.campaign);
-    make_folder(folder.path());
+    const std::string database = absolute(common_.database);
+    make_places(folder, database);
     const FileLock lock = lock_campaign(folder);
     folder.write_plan(plan);
-    const std::string database = absolute(common_.database);
-    make_folder(database.substr(0, database.rfind('/')));
     Store store(database, plan, folder.path());
     prepare(plan, store, folder);
     LocalExecutor executor(workers_of(plan), find_keeper());
@@ -136,6 +135,18 @@ class WorkCommand : public Command {
   const CommonOptions& common() const { return common_; }
 
  private:
+  /// A place that cannot be written to is refused: nothing has begun yet.
+  static void make_places(const RunFolder& folder, const std::string& database) {
+    try {
+      make_folder(folder.path());
+      make_folder(database.substr(0, database.rfind('/')));
+      write_whole(folder.path() + "/writable", "", false);
+    } catch (const StorageError& error) {
+      throw InputError("--runs, --database", error.what());
+    }
+    ::unlink((folder.path() + "/writable").c_str());
+  }
+
   CommonOptions common_;
   std::string campaign_;
   int workers_ = 0;
@@ -158,8 +169,9 @@ class Retry : public Resume {
  protected:
   void declare_more(CLI::App& app) override {
     app.add_flag("--failed", failed_, "Those that failed (the default)");
-    app.add_flag("--unknown", unknown_,
-                 "Those that were begun on another machine and are known to have stopped");
+    app.add_flag(
+        "--unknown", unknown_,
+        "Those that were begun on another machine and are known to have stopped");
   }
   void prepare(const Plan& plan, Store& store, const RunFolder& folder) override {
     for (std::size_t e = 0; e < plan.ensembles.size(); ++e) {

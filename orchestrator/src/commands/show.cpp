@@ -38,10 +38,9 @@ class Show : public Command {
     const Item item = item_in(plan);
     const RunFolder folder(common_.runs, plan.campaign);
     const Ensemble& ensemble = plan.ensembles[item.ensemble];
-    const std::string line =
-        command_line(SolverProgram::find(common_.solver)
-                         .run_command(plan, item, folder.scene_file(ensemble),
-                                      "result.h5"));
+    const std::string line = command_line(
+        SolverProgram::find(common_.solver)
+            .run_command(plan, item, folder.scene_file(ensemble), "result.h5"));
     if (command_ && !common_.json) {
       std::cout << line << "\n";
       return exit_done;
@@ -88,12 +87,12 @@ class Show : public Command {
     if (!read_if_there(database)) {
       return Json::array();
     }
-    const QueryResult result = ask(
-        database,
-        fmt::format("SELECT * FROM {} WHERE campaign = :campaign AND point = {} AND "
-                    "idx = {} AND ('{}' = 'auto' OR tier = '{}')",
-                    view, point_, index_, ensemble.tier, ensemble.tier),
-        plan.campaign);
+    const QueryResult result =
+        ask(database,
+            fmt::format("SELECT * FROM {} WHERE campaign = :campaign AND point = {} AND "
+                        "idx = {} AND ('{}' = 'auto' OR tier = '{}')",
+                        view, point_, index_, ensemble.tier, ensemble.tier),
+            plan.campaign);
     Json out = Json::array();
     for (const auto& row : result.rows) {
       Json object = Json::object();
@@ -121,11 +120,10 @@ class Show : public Command {
       }
     }
     for (const Json& row : shown["attempts"]) {
-      out += fmt::format("attempt {:<16}{}{}\n", row["attempt"].get<int>(),
-                         row["cause"].get<std::string>(),
-                         row["message"].is_null()
-                             ? ""
-                             : ": " + row["message"].get<std::string>());
+      out += fmt::format(
+          "attempt {:<16}{}{}\n", row["attempt"].get<int>(),
+          row["cause"].get<std::string>(),
+          row["message"].is_null() ? "" : ": " + row["message"].get<std::string>());
     }
     for (const Json& row : shown["incidents"]) {
       out += fmt::format("{}: {}\n", row["kind"].get<std::string>(),

@@ -61,7 +61,7 @@ class StatusCommand : public Command {
         "ORDER BY point, tier");
     ask.bind(1, plan.campaign);
     Json points = Json::array();
-    Json total{{"realisations", 0}, {"ingested", 0}, {"failed", 0},  {"active", 0},
+    Json total{{"realisations", 0}, {"ingested", 0}, {"failed", 0},   {"active", 0},
                {"eligible", 0},     {"unknown", 0},  {"censored", 0}, {"clogged", 0}};
     while (ask.step()) {
       Json row{{"point", ask.integer(0)},
@@ -83,9 +83,9 @@ class StatusCommand : public Command {
     Statement incidents =
         database.prepare("SELECT count(*) FROM v_incident WHERE campaign = ?");
     incidents.bind(1, plan.campaign).step();
-    return {{"schema_version", 1},      {"campaign", plan.campaign},
-            {"running", running},       {"total", total},
-            {"points", points},         {"incidents", incidents.integer(0)}};
+    return {{"schema_version", 1}, {"campaign", plan.campaign},
+            {"running", running},  {"total", total},
+            {"points", points},    {"incidents", incidents.integer(0)}};
   }
 
   /// Without an orchestrator, what the database calls active may have ended since: the
@@ -93,8 +93,8 @@ class StatusCommand : public Command {
   static void look_after_active(const Plan& plan, const RunFolder& folder,
                                 const Database& database, Json& row) {
     Statement ask = database.prepare(
-        "SELECT DISTINCT idx FROM v_attempt WHERE campaign = ? AND point = ? AND tier = ? "
-        "AND cause = 'running'");
+        "SELECT idx FROM v_realisation WHERE campaign = ? AND point = ? AND tier = ? "
+        "AND status = 'active'");
     ask.bind(1, plan.campaign)
         .bind(2, row["point"].get<std::int64_t>())
         .bind(3, row["tier"].get<std::string>());

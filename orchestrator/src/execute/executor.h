@@ -1,9 +1,9 @@
 // Where attempts run: this machine, or a cluster's scheduler.  Another scheduler is
 // another file with these functions.
 //
-// An executor starts attempts and says when they are no longer running, no more.  How they
-// ended is written in their folders, by poreclog-attempt and the solver, and read from
-// there: so it is known also when the executor's process did not live to see it.
+// An executor starts attempts and says when they are no longer running, no more.  How
+// they ended is written in their folders, by poreclog-attempt and the solver, and read
+// from there: so it is known also when the executor's process did not live to see it.
 #pragma once
 
 #include <cstdint>

@@ -44,7 +44,8 @@ std::string last_line(const std::string& text) {
   const std::size_t newline = text.find_last_of('\n', end);
   const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
   const std::string line = text.substr(begin, std::min(end + 1 - begin, kLongestMessage));
-  const std::string quoted = json(line).dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string quoted =
+      json(line).dump(-1, ' ', false, json::error_handler_t::replace);
   return json::parse(quoted).get<std::string>();
 }
 
@@ -58,13 +59,20 @@ Cause cause_of_signal(int signal, bool out_of_memory) {
 
 Cause cause_of_exit(int exit_code) {
   switch (exit_code) {
-    case 0: return Cause::no_result;
-    case 2: return Cause::refused;
-    case 3: return Cause::not_converged;
-    case 4: return Cause::internal_error;
-    case 5: return Cause::killed;  // a polite stop, but not by us
-    case 127: return Cause::not_started;
-    default: return Cause::internal_error;
+    case 0:
+      return Cause::no_result;
+    case 2:
+      return Cause::refused;
+    case 3:
+      return Cause::not_converged;
+    case 4:
+      return Cause::internal_error;
+    case 5:
+      return Cause::killed;  // a polite stop, but not by us
+    case 127:
+      return Cause::not_started;
+    default:
+      return Cause::internal_error;
   }
 }
 

@@ -163,9 +163,12 @@ std::optional<std::vector<std::string>> words(hid_t group, const char* name) {
   }
   const H5Handle type(H5Dget_type(dataset.get()), H5Tclose);
   switch (H5Tget_class(type.get())) {
-    case H5T_STRING: return texts(dataset.get(), type.get(), *count);
-    case H5T_ENUM: return names_of_values(dataset.get(), type.get(), *count);
-    default: return std::nullopt;
+    case H5T_STRING:
+      return texts(dataset.get(), type.get(), *count);
+    case H5T_ENUM:
+      return names_of_values(dataset.get(), type.get(), *count);
+    default:
+      return std::nullopt;
   }
 }
 

@@ -182,9 +182,8 @@ std::string Ingester::foreign(const Item& item, const ResultRecord& result) {
     return fmt::format("it is of tier {}, expected {}", result.tier, ensemble.tier);
   }
   if (!result.scene.empty()) {
-    const std::string expected = any_tier
-                                     ? scene_hash_of(ensemble.scene.dump(), true)
-                                     : ensemble.scene_hash;
+    const std::string expected =
+        any_tier ? scene_hash_of(ensemble.scene.dump(), true) : ensemble.scene_hash;
     if (scene_hash_of(result.scene, any_tier) != expected) {
       return "it is of another scene";
     }

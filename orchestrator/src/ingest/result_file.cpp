@@ -74,8 +74,7 @@ void read_outcome(hid_t file, ResultRecord& result) {
   result.t1 = must(number_attribute(file, "t1_s"), "t1_s");
   result.tc = must(number_attribute(file, "tc_s"), "tc_s");
   result.alpha_deg = must(number_attribute(file, "alpha_deg"), "alpha_deg");
-  result.last_traversal =
-      number_attribute(file, "last_traversal_s").value_or(kUndefined);
+  result.last_traversal = number_attribute(file, "last_traversal_s").value_or(kUndefined);
   result.duration = number_attribute(file, "duration_s").value_or(kUndefined);
 }
 
@@ -148,7 +147,7 @@ void read_provenance(hid_t file, ResultRecord& result) {
   const auto text = [&](const char* name) {
     return text_attribute(group->get(), name).value_or("");
   };
-  result.program = {text("version"),        text("commit"),   text("compiler"),
+  result.program = {text("version"),        text("commit"),       text("compiler"),
                     text("compiler_flags"), text("hdf5_version"), text("hostname"),
                     text("cpu_model")};
   const auto scene = words(group->get(), "scene");
@@ -157,9 +156,8 @@ void read_provenance(hid_t file, ResultRecord& result) {
 
 /// Everything the seed determines, as bytes in a fixed order.
 std::string digest_of(const ResultRecord& r) {
-  std::string bytes =
-      fmt::format("{}\n{}\n{}\n{} {} {}\n", r.seed, r.tier, r.ending, r.injected,
-                  r.retained_count, r.traversed);
+  std::string bytes = fmt::format("{}\n{}\n{}\n{} {} {}\n", r.seed, r.tier, r.ending,
+                                  r.injected, r.retained_count, r.traversed);
   const auto add = [&](const double* begin, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       // One NaN is as good as another.
@@ -176,8 +174,8 @@ std::string digest_of(const ResultRecord& r) {
   }
   for (const RetainedRecord& c : r.retained) {
     bytes += fmt::format("{} {} {} {}\n", c.order, c.colloid, c.layer, c.mechanism);
-    for (const double* value : {&c.time, &c.contact_time, &c.injection_time, &c.alpha_deg,
-                                &c.bond_load}) {
+    for (const double* value :
+         {&c.time, &c.contact_time, &c.injection_time, &c.alpha_deg, &c.bond_load}) {
       add(value, 1);
     }
     add(c.position, 3);

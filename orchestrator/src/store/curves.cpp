@@ -12,7 +12,8 @@ namespace {
 /// value (sums of squares of the values themselves would cancel).
 class Moments {
  public:
-  explicit Moments(std::size_t steps) : count_(steps), shift_(steps), sum_(steps), square_(steps) {}
+  explicit Moments(std::size_t steps)
+      : count_(steps), shift_(steps), sum_(steps), square_(steps) {}
 
   void add(std::size_t step, double value) {
     if (std::isnan(value)) {
@@ -34,9 +35,10 @@ class Moments {
   }
   double deviation(std::size_t step) const {
     const auto n = static_cast<double>(count_[step]);
-    return n < 2.0 ? std::nan("")
-                   : std::sqrt(std::max(0.0, square_[step] - sum_[step] * sum_[step] / n) /
-                               (n - 1.0));
+    return n < 2.0
+               ? std::nan("")
+               : std::sqrt(std::max(0.0, square_[step] - sum_[step] * sum_[step] / n) /
+                           (n - 1.0));
   }
 
  private:

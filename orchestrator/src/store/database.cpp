@@ -45,8 +45,8 @@ Statement& Statement::bind(int at, std::int64_t value) {
 }
 
 Statement& Statement::bind(int at, std::string_view value) {
-  check(sqlite3_bind_text(handle_.get(), at, value.data(),
-                          static_cast<int>(value.size()), SQLITE_TRANSIENT));
+  check(sqlite3_bind_text(handle_.get(), at, value.data(), static_cast<int>(value.size()),
+                          SQLITE_TRANSIENT));
   return *this;
 }
 

@@ -52,8 +52,8 @@ class Database {
  public:
   enum class Access { read_only, read_write };
 
-  /// StorageError if it cannot be opened.  read_write makes the file, and waits as long as
-  /// a minute for others.
+  /// StorageError if it cannot be opened.  read_write makes the file, and waits as long
+  /// as a minute for others.
   Database(const std::string& path, Access access);
 
   void execute(const std::string& sql);

@@ -15,10 +15,14 @@ using nlohmann::json;
 
 json value_of(const Statement& statement, int column) {
   switch (sqlite3_column_type(statement.handle(), column)) {
-    case SQLITE_INTEGER: return statement.integer(column);
-    case SQLITE_FLOAT: return statement.real(column);
-    case SQLITE_NULL: return nullptr;
-    default: return statement.text(column);
+    case SQLITE_INTEGER:
+      return statement.integer(column);
+    case SQLITE_FLOAT:
+      return statement.real(column);
+    case SQLITE_NULL:
+      return nullptr;
+    default:
+      return statement.text(column);
   }
 }
 
@@ -79,12 +83,14 @@ const std::vector<CannedQuery>& canned_queries() {
        "SELECT point, tier, varied FROM v_point WHERE campaign = :campaign "
        "ORDER BY point, tier"},
       {"realisations", "one row per realisation",
-       "SELECT point, idx, seed, tier, status, t1_s, tc_s, censored, alpha_deg, lc_end_m, "
+       "SELECT point, idx, seed, tier, status, t1_s, tc_s, censored, alpha_deg, "
+       "lc_end_m, "
        "permeability_ratio_end, injected, retained, traversed, wall_s, cpu_s, attempts "
        "FROM v_realisation WHERE campaign = :campaign ORDER BY point, tier, idx"},
       {"clogging", "how many clogged; first retention and clogging of those that did",
        "SELECT point, tier, count(*) AS n, sum(censored) AS censored, avg(t1_s) AS "
-       "mean_t1_s, avg(tc_s) AS mean_tc_of_clogged_s, min(tc_s) AS min_tc_s, max(tc_s) AS "
+       "mean_t1_s, avg(tc_s) AS mean_tc_of_clogged_s, min(tc_s) AS min_tc_s, max(tc_s) "
+       "AS "
        "max_tc_s FROM v_realisation WHERE campaign = :campaign AND status = 'ingested' "
        "GROUP BY point, tier ORDER BY point, tier"},
       {"curves", "mean critical diameter and permeability against time",
@@ -102,7 +108,8 @@ const std::vector<CannedQuery>& canned_queries() {
        "ORDER BY point, tier"},
       {"failures", "attempts that left no result, and why",
        "SELECT point, idx, tier, attempt, cause, exit_code, signal, node, message "
-       "FROM v_attempt WHERE campaign = :campaign AND cause NOT IN ('finished', 'running') "
+       "FROM v_attempt WHERE campaign = :campaign AND cause NOT IN ('finished', "
+       "'running') "
        "ORDER BY point, tier, idx, attempt"},
       {"incidents", "what went wrong and somebody should know",
        "SELECT point, idx, tier, attempt, kind, text FROM v_incident "

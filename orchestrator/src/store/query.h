@@ -13,8 +13,8 @@ struct QueryResult {
   std::vector<std::vector<nlohmann::json>> rows;  ///< null, number or text
 };
 
-/// One statement that reads.  `:campaign` in it stands for `campaign`.  InputError if it is
-/// no such statement, StorageError if there is no such database.
+/// One statement that reads.  `:campaign` in it stands for `campaign`.  InputError if it
+/// is no such statement, StorageError if there is no such database.
 QueryResult ask(const std::string& database, const std::string& sql,
                 const std::string& campaign);
 

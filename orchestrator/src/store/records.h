@@ -12,10 +12,10 @@ namespace colloid {
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 struct RetainedRecord {
-  std::int64_t order = 0;   ///< of retention, from 1
+  std::int64_t order = 0;  ///< of retention, from 1
   std::int64_t colloid = 0;
-  double time = kUndefined;          ///< [s]
-  double contact_time = kUndefined;  ///< [s]
+  double time = kUndefined;                                             ///< [s]
+  double contact_time = kUndefined;                                     ///< [s]
   double position[3] = {kUndefined, kUndefined, kUndefined};            ///< [m]
   double injection_position[3] = {kUndefined, kUndefined, kUndefined};  ///< [m]
   double injection_time = kUndefined;                                   ///< [s]
@@ -40,9 +40,9 @@ struct ResultRecord {
   std::uint64_t seed = 0;
   std::string tier;
   std::string ending;
-  double duration = kUndefined;        ///< simulated [s]
-  double t1 = kUndefined;              ///< [s]
-  double tc = kUndefined;              ///< [s]; NaN: censored
+  double duration = kUndefined;  ///< simulated [s]
+  double t1 = kUndefined;        ///< [s]
+  double tc = kUndefined;        ///< [s]; NaN: censored
   double alpha_deg = kUndefined;
   double last_traversal = kUndefined;  ///< [s]
   std::int64_t injected = 0;
@@ -61,11 +61,11 @@ struct ResultRecord {
 enum class Cause {
   running,
   finished,
-  refused,         ///< the solver refused its input
+  refused,  ///< the solver refused its input
   not_converged,
   internal_error,
-  crashed,         ///< by a signal of its own making
-  killed,          ///< by somebody else
+  crashed,  ///< by a signal of its own making
+  killed,   ///< by somebody else
   out_of_memory,
   time_limit,
   interrupted,     ///< asked to stop
@@ -73,7 +73,7 @@ enum class Cause {
   torn_result,     ///< a file that is not whole
   foreign_result,  ///< a file of another realisation or scene
   not_started,     ///< the program could not be started
-  lost             ///< ended without a trace: the machine stopped, or its keeper was killed
+  lost  ///< ended without a trace: the machine stopped, or its keeper was killed
 };
 
 const char* name_of(Cause cause);

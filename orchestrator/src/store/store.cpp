@@ -62,8 +62,9 @@ const char* name_of(Status status) {
 Store::Store(const std::string& path, const Plan& plan, const std::string& folder)
     : database_(path, Database::Access::read_write) {
   refuse_network_file_system(path);
-  database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
-                    "PRAGMA foreign_keys = ON");
+  database_.execute(
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
+      "PRAGMA foreign_keys = ON");
   prepare_schema(database_);
   Transaction transaction(database_);
   put_campaign(plan, folder);
@@ -124,8 +125,9 @@ void Store::refuse_other_folder(const std::string& campaign, const std::string& 
 }
 
 std::int64_t Store::put_point(std::int64_t campaign, const DesignPoint& point) {
-  prepared("INSERT INTO point (campaign, number, hash, varied) VALUES (?,?,?,?) "
-           "ON CONFLICT (campaign, hash) DO NOTHING")
+  prepared(
+      "INSERT INTO point (campaign, number, hash, varied) VALUES (?,?,?,?) "
+      "ON CONFLICT (campaign, hash) DO NOTHING")
       .bind(1, campaign)
       .bind(2, point.number)
       .bind(3, point.hash)

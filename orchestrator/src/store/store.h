@@ -2,9 +2,9 @@
 //
 // One process writes (it holds the campaign's lock); each realisation is one transaction,
 // idempotent on (campaign, hash of the design point, tier, index).  The journal is a
-// write-ahead log: readers never wait for the writer nor the writer for readers.  It is not
-// synchronised at every commit: after a power cut the last commits may be missing, and are
-// made again from the run folders, which are.
+// write-ahead log: readers never wait for the writer nor the writer for readers.  It is
+// not synchronised at every commit: after a power cut the last commits may be missing,
+// and are made again from the run folders, which are.
 #pragma once
 
 #include <array>
@@ -56,7 +56,8 @@ class Store {
   void ingest(const Item& item, const AttemptRecord& attempt, const ResultRecord& result);
   /// The same with another result of a realisation that is ingested already: compares
   /// them, and notes a duplicate or a contradiction.
-  void compare(const Item& item, const AttemptRecord& attempt, const ResultRecord& result);
+  void compare(const Item& item, const AttemptRecord& attempt,
+               const ResultRecord& result);
   void set_status(const Item& item, Status status);
   void forgive(const Item& item, int attempts);
 
@@ -80,7 +81,8 @@ class Store {
   void put_realisations(const Plan& plan, std::size_t ensemble);
   void put_attempt(const Item& item, const AttemptRecord& attempt,
                    const std::optional<std::int64_t>& program);
-  void put_incidents(const Item& item, int attempt, const std::vector<Incident>& incidents);
+  void put_incidents(const Item& item, int attempt,
+                     const std::vector<Incident>& incidents);
   void put_outcome(const Item& item, const AttemptRecord& attempt,
                    const ResultRecord& result);
   void put_retained(std::int64_t realisation, const ResultRecord& result);

@@ -54,8 +54,9 @@ void Store::put_attempt(const Item& item, const AttemptRecord& attempt,
 void Store::put_incidents(const Item& item, int attempt,
                           const std::vector<Incident>& incidents) {
   for (const Incident& incident : incidents) {
-    prepared("INSERT OR REPLACE INTO incident (realisation, attempt, kind, text) "
-             "VALUES (?,?,?,?)")
+    prepared(
+        "INSERT OR REPLACE INTO incident (realisation, attempt, kind, text) "
+        "VALUES (?,?,?,?)")
         .bind(1, row(item).id)
         .bind(2, attempt)
         .bind(3, incident.kind)
@@ -67,7 +68,8 @@ void Store::put_incidents(const Item& item, int attempt,
 void Store::put_outcome(const Item& item, const AttemptRecord& attempt,
                         const ResultRecord& result) {
   prepared(
-      "UPDATE realisation SET status = 'ingested', attempt = ?, tier_run = ?, ending = ?, "
+      "UPDATE realisation SET status = 'ingested', attempt = ?, tier_run = ?, ending = "
+      "?, "
       "duration_s = ?, t1_s = ?, tc_s = ?, alpha_deg = ?, last_traversal_s = ?, "
       "lc_end_m = ?, permeability_ratio_end = ?, injected = ?, retained = ?, "
       "traversed = ?, grid = ?, digest = ? WHERE id = ?")
@@ -124,7 +126,8 @@ void Store::put_series(std::int64_t realisation, const ResultRecord& result) {
       "permeability_ratio) VALUES (?,?,?,?)");
   for (std::size_t k = 0; k < result.times.size(); ++k) {
     const bool same =
-        k > 0 && same_bits(result.critical_diameter[k], result.critical_diameter[k - 1]) &&
+        k > 0 &&
+        same_bits(result.critical_diameter[k], result.critical_diameter[k - 1]) &&
         same_bits(result.permeability_ratio[k], result.permeability_ratio[k - 1]);
     if (!same) {
       add.reset()
@@ -152,7 +155,11 @@ std::int64_t Store::grid_of(const std::vector<double>& times) {
     Statement& add =
         prepared("INSERT INTO grid_time (grid, step, time_s) VALUES (?,?,?)");
     for (std::size_t k = 0; k < times.size(); ++k) {
-      add.reset().bind(1, id).bind(2, static_cast<std::int64_t>(k)).bind(3, times[k]).run();
+      add.reset()
+          .bind(1, id)
+          .bind(2, static_cast<std::int64_t>(k))
+          .bind(3, times[k])
+          .run();
     }
   }
   last_times_ = times;
@@ -161,10 +168,9 @@ std::int64_t Store::grid_of(const std::vector<double>& times) {
 }
 
 std::int64_t Store::program_of(const ProgramRecord& program) {
-  const std::string key =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", program.version, program.commit,
-                  program.compiler, program.flags, program.hdf5_version, program.hostname,
-                  program.cpu_model);
+  const std::string key = fmt::format(
+      "{}\n{}\n{}\n{}\n{}\n{}\n{}", program.version, program.commit, program.compiler,
+      program.flags, program.hdf5_version, program.hostname, program.cpu_model);
   const auto known = programs_.find(key);
   if (known != programs_.end()) {
     return known->second;
