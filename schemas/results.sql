@@ -154,6 +154,15 @@ CREATE TABLE curve (
   PRIMARY KEY (ensemble, time_s)
 ) WITHOUT ROWID;
 
+-- Retained colloids by where and how, made anew with the curves.
+CREATE TABLE layer_count (
+  ensemble  INTEGER NOT NULL REFERENCES ensemble,
+  layer     TEXT,
+  mechanism TEXT,
+  colloids  INTEGER NOT NULL
+);
+CREATE INDEX layer_count_of ON layer_count (ensemble);
+
 -- What went wrong and somebody should know: results that contradict each other, torn or
 -- foreign files, attempts that were lost.
 CREATE TABLE incident (
@@ -221,6 +230,14 @@ CREATE VIEW v_curve AS
          v.permeability_ratio_sd
     FROM curve v
     JOIN ensemble e ON e.id = v.ensemble
+    JOIN point p ON p.id = e.point
+    JOIN campaign c ON c.id = p.campaign;
+
+-- Retained colloids of all realisations, by layer and mechanism.
+CREATE VIEW v_layer AS
+  SELECT c.name AS campaign, p.number AS point, e.tier, l.layer, l.mechanism, l.colloids
+    FROM layer_count l
+    JOIN ensemble e ON e.id = l.ensemble
     JOIN point p ON p.id = e.point
     JOIN campaign c ON c.id = p.campaign;
 

@@ -9,6 +9,8 @@
 //   FAKE_ONE_IN       and only seeds that this number divides
 //   FAKE_SECONDS      how long it takes (default 0)
 //   FAKE_ROWS         rows of the series (default 100)
+//
+// fake_solver fill SCENE FOLDER writes many results at once.
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -303,6 +305,25 @@ int suffer(const std::string& fault) {
                                     : -1;
 }
 
+/// Writes the attempts of many realisations at once, for measurements of scale: stdin has
+/// lines "index seed", `folder` is the ensemble's.
+int fill(const std::string& scene_file, const std::string& folder) {
+  const json scene = json::parse(std::ifstream(scene_file));
+  Arguments arguments;
+  for (int index = 0; std::cin >> index >> arguments.seed;) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "/%06d/attempt-001/", index);
+    const std::string attempt = folder + name.data();
+    std::filesystem::create_directories(attempt);
+    arguments.result = attempt + "result.h5";
+    write_result(arguments, scene);
+    std::ofstream(attempt + "command") << "fill\n";
+    std::ofstream(attempt + "ending.json")
+        << R"({"exit_code": 0, "wall_s": 1.0, "cpu_s": 1.0, "node": "n"})";
+  }
+  return 0;
+}
+
 /// Takes its time in steps, which a checkpoint counts.
 int compute(const Arguments& arguments) {
   constexpr int kSteps = 20;
@@ -363,6 +384,9 @@ int describe(const std::string& path, bool regime) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() == 3 && words[0] == "fill") {
+    return fill(words[1], words[2]);
+  }
   Arguments arguments;
   bool regime = false;
   for (std::size_t i = 1; i < words.size(); ++i) {

@@ -26,6 +26,7 @@ CONTENT = [
     "SELECT * FROM v_retained ORDER BY 1, 2, 4, 3, 5",
     "SELECT * FROM v_series ORDER BY 1, 2, 4, 3, 5",
     "SELECT * FROM v_curve ORDER BY 1, 2, 3, 4",
+    "SELECT * FROM v_layer ORDER BY 1, 2, 3, 4, 5",
 ]
 
 

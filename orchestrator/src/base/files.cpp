@@ -64,6 +64,22 @@ std::optional<std::string> content(const std::string& path) {
   }
 }
 
+/// errno, or 0.
+int write_content(const std::string& path, const std::string& text, bool durable) {
+  const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+  if (file.number() < 0) {
+    return errno;
+  }
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t count = ::write(file.number(), text.data() + at, text.size() - at);
+    if (count < 0) {
+      return errno;
+    }
+    at += static_cast<std::size_t>(count);
+  }
+  return durable && ::fsync(file.number()) != 0 ? errno : 0;
+}
+
 }  // namespace
 
 std::string read_text_file(const std::string& path) {
@@ -84,26 +100,19 @@ std::optional<std::string> read_if_there(const std::string& path) {
 
 void write_whole(const std::string& path, const std::string& text, bool durable) {
   const std::string part = fmt::format("{}.{}.part", path, ::getpid());
-  int error = 0;
-  {
-    const Descriptor file(part, O_WRONLY | O_CREAT | O_TRUNC);
-    if (file.number() < 0) {
-      fail(path, "cannot be written", errno);
-    }
-    for (std::size_t at = 0; at < text.size() && error == 0;) {
-      const ssize_t count = ::write(file.number(), text.data() + at, text.size() - at);
-      error = count < 0 ? errno : 0;
-      at += count < 0 ? 0 : static_cast<std::size_t>(count);
-    }
-    if (error == 0 && durable && ::fsync(file.number()) != 0) {
-      error = errno;
-    }
-  }
+  int error = write_content(part, text, durable);
   if (error == 0 && ::rename(part.c_str(), path.c_str()) != 0) {
     error = errno;
   }
   if (error != 0) {
     ::unlink(part.c_str());
+    fail(path, "cannot be written", error);
+  }
+}
+
+void write_new(const std::string& path, const std::string& text) {
+  const int error = write_content(path, text, false);
+  if (error != 0) {
     fail(path, "cannot be written", error);
   }
 }

@@ -16,6 +16,9 @@ std::optional<std::string> read_if_there(const std::string& path);
 /// content or the new.  `durable` waits for the disk.  StorageError if it fails.
 void write_whole(const std::string& path, const std::string& text, bool durable);
 
+/// Writes a file that is not there yet and that nobody looks for before it is whole.
+void write_new(const std::string& path, const std::string& text);
+
 /// Makes the folder and those above it.  StorageError naming it and the reason.
 void make_folder(const std::string& path);
 

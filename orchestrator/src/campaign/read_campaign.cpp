@@ -38,11 +38,8 @@ void check_statistics(const json& value) {
   KeyReader read(value, "/statistics");
   double confidence = 0.95;
   int bootstrap = 2000;
-  double half_width = 1.0;
   read.number("confidence", 0.5, 0.9999, confidence);
   read.integer("bootstrap", 100, 1'000'000, bootstrap);
-  read.find("target");
-  read.number("half_width_s", 0.0, 1e9, half_width);
   read.finish();
 }
 

@@ -113,7 +113,7 @@ void CampaignRun::start(const Item& item) {
   attempt.command = command_line(words);
   attempt.started = utc_now();
   attempt.node = host_name();
-  write_whole(folder + "/command", attempt.command + "\n", false);
+  write_new(folder + "/command", attempt.command + "\n");
   --of(counts_, store_.status(item));
   store_.begin_attempt(item, attempt);
   ++of(counts_, Status::active);

@@ -1,21 +1,20 @@
 #include "ingest/hdf5_file.h"
 
 #include <array>
+#include <map>
 
 namespace colloid {
 
 namespace {
 
-/// The library prints every failed call; a question whether something exists is none.
+/// The library prints every failed call.  Opening what may not exist is a question here
+/// (and half as dear as asking first).
 void keep_quiet() {
   static const herr_t done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   static_cast<void>(done);
 }
 
 std::optional<H5Handle> attribute(hid_t object, const char* name) {
-  if (H5Aexists(object, name) <= 0) {
-    return std::nullopt;
-  }
   H5Handle handle(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
   return handle ? std::optional<H5Handle>(std::move(handle)) : std::nullopt;
 }
@@ -87,14 +86,21 @@ std::optional<std::vector<std::string>> names_of_values(hid_t dataset, hid_t typ
   if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()) < 0) {
     return std::nullopt;
   }
+  // The library sorts the enumeration at every question: one question per value.
+  std::map<std::string, std::string> names;
   std::vector<std::string> out;
   out.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    std::array<char, 64> name{};
-    if (H5Tenum_nameof(type, raw.data() + i * width, name.data(), name.size()) < 0) {
-      return std::nullopt;
+    const std::string value(reinterpret_cast<const char*>(raw.data()) + i * width, width);
+    auto known = names.find(value);
+    if (known == names.end()) {
+      std::array<char, 64> name{};
+      if (H5Tenum_nameof(type, value.data(), name.data(), name.size()) < 0) {
+        return std::nullopt;
+      }
+      known = names.emplace(value, name.data()).first;
     }
-    out.emplace_back(name.data());
+    out.push_back(known->second);
   }
   return out;
 }
@@ -108,9 +114,6 @@ std::optional<H5Handle> open_hdf5(const std::string& path) {
 }
 
 std::optional<H5Handle> open_group(hid_t parent, const char* name) {
-  if (H5Lexists(parent, name, H5P_DEFAULT) <= 0) {
-    return std::nullopt;
-  }
   H5Handle group(H5Gopen2(parent, name, H5P_DEFAULT), H5Gclose);
   return group ? std::optional<H5Handle>(std::move(group)) : std::nullopt;
 }
@@ -136,9 +139,6 @@ std::optional<std::string> text_attribute(hid_t object, const char* name) {
 }
 
 std::optional<std::vector<double>> numbers(hid_t group, const char* name) {
-  if (H5Lexists(group, name, H5P_DEFAULT) <= 0) {
-    return std::nullopt;
-  }
   const H5Handle dataset(H5Dopen2(group, name, H5P_DEFAULT), H5Dclose);
   const auto count = dataset ? elements(dataset.get()) : std::nullopt;
   if (!count) {
@@ -153,9 +153,6 @@ std::optional<std::vector<double>> numbers(hid_t group, const char* name) {
 }
 
 std::optional<std::vector<std::string>> words(hid_t group, const char* name) {
-  if (H5Lexists(group, name, H5P_DEFAULT) <= 0) {
-    return std::nullopt;
-  }
   const H5Handle dataset(H5Dopen2(group, name, H5P_DEFAULT), H5Dclose);
   const auto count = dataset ? elements(dataset.get()) : std::nullopt;
   if (!count) {

@@ -135,4 +135,16 @@ void write_curve(Database& database, std::int64_t ensemble) {
   }
 }
 
+void write_layer_counts(Database& database, std::int64_t ensemble) {
+  database.prepare("DELETE FROM layer_count WHERE ensemble = ?").bind(1, ensemble).run();
+  database
+      .prepare(
+          "INSERT INTO layer_count (ensemble, layer, mechanism, colloids) "
+          "SELECT r.ensemble, d.layer, d.mechanism, count(*) FROM realisation r "
+          "JOIN retained d ON d.realisation = r.id WHERE r.ensemble = ? "
+          "GROUP BY d.layer, d.mechanism")
+      .bind(1, ensemble)
+      .run();
+}
+
 }  // namespace colloid

@@ -1,4 +1,5 @@
-// Mean curves of an ensemble, made from its series.
+// What is kept of a whole ensemble so that questions need not read all its realisations:
+// mean curves, and counts of retained colloids.
 #pragma once
 
 #include "store/database.h"
@@ -10,5 +11,8 @@ namespace colloid {
 /// the first of them.  Realisations are added in the order of their indices, so that the
 /// result does not depend on the order in which they finished.  Within a transaction.
 void write_curve(Database& database, std::int64_t ensemble);
+
+/// Writes the table `layer_count` of an ensemble anew.  Within a transaction.
+void write_layer_counts(Database& database, std::int64_t ensemble);
 
 }  // namespace colloid

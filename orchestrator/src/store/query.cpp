@@ -98,9 +98,8 @@ const std::vector<CannedQuery>& canned_queries() {
        "permeability_ratio, permeability_ratio_sd FROM v_curve "
        "WHERE campaign = :campaign ORDER BY point, tier, time_s"},
       {"layers", "where colloids are retained, and by what",
-       "SELECT point, tier, layer, mechanism, count(*) AS colloids FROM v_retained "
-       "WHERE campaign = :campaign GROUP BY point, tier, layer, mechanism "
-       "ORDER BY point, tier, layer, mechanism"},
+       "SELECT point, tier, layer, mechanism, colloids FROM v_layer "
+       "WHERE campaign = :campaign ORDER BY point, tier, layer, mechanism"},
       {"costs", "time and memory",
        "SELECT point, tier, count(*) AS n, avg(wall_s) AS mean_wall_s, max(wall_s) AS "
        "max_wall_s, sum(cpu_s) / 3600.0 AS cpu_hours FROM v_realisation "

@@ -321,6 +321,7 @@ void Store::refresh_curves() {
     if (curve_is_old_[e]) {
       Transaction transaction(database_);
       write_curve(database_, ensembles_[e]);
+      write_layer_counts(database_, ensembles_[e]);
       transaction.commit();
       curve_is_old_[e] = false;
     }
