@@ -26,15 +26,21 @@ constexpr double kPace = 0.5;         // [s] our own children wake us by SIGCHLD
 constexpr double kPaceAdopted = 0.1;  // [s] others' children do not
 
 /// Attributes for children: a session of their own, so that a Ctrl-C at the terminal
-/// reaches only us, and no blocked signals.
+/// reaches only us; no blocked and no ignored signals.
 class SpawnAttributes {
  public:
   SpawnAttributes() {
     sigset_t none{};
+    sigset_t ignored{};
     ::sigemptyset(&none);
+    ::sigemptyset(&ignored);
+    ::sigaddset(&ignored, SIGPIPE);
     ::posix_spawnattr_init(&attributes_);
     ::posix_spawnattr_setsigmask(&attributes_, &none);
-    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSID);
+    ::posix_spawnattr_setsigdefault(&attributes_, &ignored);
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK |
+                                                 POSIX_SPAWN_SETSIGDEF |
+                                                 POSIX_SPAWN_SETSID);
   }
   SpawnAttributes(const SpawnAttributes&) = delete;
   SpawnAttributes& operator=(const SpawnAttributes&) = delete;
