@@ -97,6 +97,12 @@ json patched(const Campaign& campaign, const Choice& choice, const std::string& 
   return scene;
 }
 
+/// Is `pointer` that of `outer`, or of something in it?
+bool is_within(const std::string& pointer, const std::string& outer) {
+  return pointer.compare(0, outer.size(), outer) == 0 &&
+         (pointer.size() == outer.size() || pointer[outer.size()] == '/');
+}
+
 /// Says again what the solver said of a temporary file, of the line the user wrote.
 [[noreturn]] void refuse_scene(const Campaign& campaign, const Choice& choice,
                                const std::string& complaint) {
@@ -109,7 +115,9 @@ json patched(const Campaign& campaign, const Choice& choice, const std::string& 
   const std::string why =
       rest.size() > pointer.size() + 2 ? rest.substr(pointer.size() + 2) : "is refused";
   for (const auto& [varied, index] : choice) {
-    if (pointer.compare(0, varied.size(), varied) == 0) {
+    const bool made_by_it = is_within(varied, pointer) &&
+                            !campaign.scene.contains(json::json_pointer(pointer));
+    if (is_within(pointer, varied) || made_by_it) {
       refuse(campaign, vary_pointer(varied, index),
              fmt::format("as {} of the scene: {}", pointer, why));
     }

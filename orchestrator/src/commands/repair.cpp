@@ -123,6 +123,7 @@ class Repair : public Command {
     for (const char* suffix : {"-wal", "-shm"}) {
       std::error_code ignored;
       fs::remove(database + suffix, ignored);  // they belong to the old one
+      fs::remove(part + suffix, ignored);      // empty: the writer has closed it
     }
     fs::rename(part, database);
     return kept;
