@@ -17,10 +17,11 @@ function(poreclog_module name)
   poreclog_warnings(poreclog_${name})
 endfunction()
 
-# poreclog_orchestrator_module(NAME SOURCES a.cpp ... DEPENDS target ...): one folder of
+# poreclog_orchestrator_module(NAME SOURCES a.cpp ... DEPENDS target ...): the folder NAME of
 # orchestrator/src.
 function(poreclog_orchestrator_module name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/orchestrator/src/${name}/)
   add_library(poreclog_${name} STATIC ${ARG_SOURCES})
   target_include_directories(poreclog_${name} PUBLIC ${PROJECT_SOURCE_DIR}/orchestrator/src)
   target_link_libraries(poreclog_${name} PUBLIC ${ARG_DEPENDS})

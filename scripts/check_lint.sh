@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# clang-tidy on the sources of solver and orchestrator, in parallel; its findings are errors.
+# clang-tidy on the sources of both programs, in parallel; its findings are errors.
 # One file takes seconds, so a file is checked again only when it or a header changed.
 set -eu
 cd "$(dirname "$0")/.."
