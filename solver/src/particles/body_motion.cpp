@@ -1,6 +1,7 @@
 #include "particles/body_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "core/error.h"
@@ -126,10 +127,19 @@ Reduced reduce(const std::vector<BodySystem>& bodies, const std::vector<PairTerm
   }
   for (int p : group.pairs) {
     const PairTerm& pair = pairs[z(p)];
-    const Vector row = spread(bodies, r, pair.first, pair.row_first, pair.second,
-                              pair.row_second);
-    r.resistance += pair.strength * row * row.transpose();
-    r.drive += pair.drive * row;
+    // Only the blocks of its two bodies: a group may have hundreds of them.
+    const std::array<Vector, 2> row{
+        bodies[z(pair.first)].freedom.transpose() * pair.row_first,
+        bodies[z(pair.second)].freedom.transpose() * pair.row_second};
+    const std::array<int, 2> at{r.first[z(r.place[z(pair.first)])],
+                                r.first[z(r.place[z(pair.second)])]};
+    for (std::size_t i = 0; i < 2; ++i) {
+      r.drive.segment(at[i], row[i].size()) += pair.drive * row[i];
+      for (std::size_t j = 0; j < 2; ++j) {
+        r.resistance.block(at[i], at[j], row[i].size(), row[j].size()) +=
+            pair.strength * row[i] * row[j].transpose();
+      }
+    }
   }
   return r;
 }
