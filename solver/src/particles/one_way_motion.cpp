@@ -1,6 +1,7 @@
 #include "particles/one_way_motion.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/constants.h"
@@ -54,6 +55,7 @@ OneWayMotion::OneWayMotion(const OneWayOptions& options, const AmbientFlow& flow
       flow_(flow),
       surfaces_(surfaces) {
   if (options.wall_hindrance) {
+    assert(surfaces.reach() >= hindrance_range(options.radius));
     std::vector<double> radii = grain_radii;
     radii.push_back(options.radius);  // retained colloids
     wall_hindrance_ = std::make_unique<SurfaceHindrance>(options.radius, radii);

@@ -59,7 +59,7 @@ std::optional<Realisation> run_one_way(const Scene& scene, const RunOptions& opt
   const double a = 0.5 * scene.colloids->diameter;
   const double drag = stokes_drag(scene.fluid.viscosity, a, inlet.mean_speed);
   const SurfaceModel contacts = make_surface_model(scene, drag);
-  FixedSurfaces surfaces(scene.geometry.box, scene.geometry.spheres, kHindranceReach * a);
+  FixedSurfaces surfaces(scene.geometry.box, scene.geometry.spheres, hindrance_range(a));
 
   OneWayOptions motion;
   motion.radius = a;
