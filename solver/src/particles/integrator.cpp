@@ -80,7 +80,8 @@ void Integrator::take_velocities(std::vector<RigidBody>& bodies) const {
   }
 }
 
-// Error over the tolerance: of the position over a, along near normals over the gap.
+// Error over the tolerance: of the position over a, along near normals and towards near
+// colloids over the gap.
 double Integrator::error_of(const std::vector<RigidBody>& bodies,
                             const std::vector<Vec3>& shift,
                             const std::vector<Vec3>& turn) const {
@@ -101,6 +102,19 @@ double Integrator::error_of(const std::vector<RigidBody>& bodies,
         const double gap = std::max(surface.distance - a, touching);
         if (gap < a && gap > 0.0) {
           worst = std::max(worst, std::abs(dot(error, surface.normal)) / gap);
+        }
+      }
+      for (std::size_t other = b + 1; other < bodies.size(); ++other) {
+        for (std::size_t om = 0; om < bodies[other].size(); ++om) {
+          const Vec3 e = shortest(surfaces_.box(), bodies[b].position(m),
+                                  bodies[other].position(om));
+          const double r = norm(e);
+          const double gap = std::max(r - 2.0 * a, options_.rules.colloid_gap);
+          if (gap < a && gap > 0.0) {
+            const Vec3 apart =
+                error - shift[other] - cross(turn[other], bodies[other].arms[om]);
+            worst = std::max(worst, std::abs(dot(apart, e)) / (r * gap));
+          }
         }
       }
     }
