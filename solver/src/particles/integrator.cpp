@@ -236,7 +236,10 @@ double Integrator::event_within(const std::vector<RigidBody>& begin, const Trial
   }
   // A chord of length s dips below its ends by at most s^2/(8 R), R >= a.
   const double dip = farthest * farthest / (4.0 * options_.radius);
-  const double finest = contact_tolerance(options_.rules.colloid_gap, options_.radius);
+  // In units of the finest tolerance: that of the grains may be below that of colloids.
+  const ContactRules& rules = options_.rules;
+  const double finest = contact_tolerance(
+      std::min({rules.grain_gap, rules.colloid_gap, rules.wall_gap}), options_.radius);
   if (std::min(at_end, least_event(begin)) * finest > dip && passed == kNone) {
     return kNone;
   }
