@@ -340,10 +340,12 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   if (!fresh_) {
     refresh(bodies);
   }
+  // Of the motion without thermal forces: a step that depends on the draws would cut off
+  // the long ones.
+  double step = std::min(longest, travel_limit(motion_, bodies));
   if (forcing) {
     motion_ = evaluate(bodies, forcing);
   }
-  double step = std::min(longest, travel_limit(motion_, bodies));
   if (forcing) {
     step = std::min(step, forcing->step);
   } else if (next_step_ > 0.0) {

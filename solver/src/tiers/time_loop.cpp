@@ -189,7 +189,7 @@ void TimeLoop::step() {
   if (longest > 0.0) {
     std::optional<Forcing> forcing;
     if (parts_.brownian && !s.bodies.empty()) {
-      forcing = thermal_forcing();
+      forcing = thermal_forcing(longest);
       ++s.thermal_steps;
     }
     taken = integrator_.advance(s.bodies, longest, forcing);
@@ -558,15 +558,15 @@ void TimeLoop::observe(DepositBatch batch, bool solve) {
   }
 }
 
-// Wrenches for a step in which heat moves nothing by more than a tenth of its gap or
-// radius.
-Forcing TimeLoop::thermal_forcing() const {
+// Wrenches for a step of at most `longest` in which heat moves nothing by more than a
+// tenth of its gap or radius.  Their strength depends on the step's length.
+Forcing TimeLoop::thermal_forcing(double longest) const {
   const double kT = parts_.contacts.grain.forces.thermal_energy();
   const double drag = 6.0 * kPi * scene_.fluid.viscosity * radius_;
   const double diffusivity = kT / drag;
   const double reach = kThermalTravel * radius_;
   Forcing forcing;
-  forcing.step = 0.5 * reach * reach / diffusivity;
+  forcing.step = std::min(longest, 0.5 * reach * reach / diffusivity);
   std::vector<NearSurface> near;
   double fastest = 0.0;
   for (const RigidBody& body : state_.bodies) {

@@ -63,7 +63,7 @@ class TimeLoop {
   void arrest(std::size_t body, std::size_t member);
   void observe(DepositBatch batch, bool solve);
   double escape_rate(double push) const;
-  Forcing thermal_forcing() const;
+  Forcing thermal_forcing(double longest) const;
   void record();
   SeriesRow series_row() const;
   Frame frame() const;
