@@ -126,10 +126,23 @@ Reduced reduce(const std::vector<BodySystem>& bodies, const std::vector<PairTerm
   }
   for (int p : group.pairs) {
     const PairTerm& pair = pairs[z(p)];
-    const Vector row = spread(bodies, r, pair.first, pair.row_first, pair.second,
-                              pair.row_second);
-    r.resistance += pair.strength * row * row.transpose();
-    r.drive += pair.drive * row;
+    const auto& n1 = bodies[z(pair.first)].freedom;
+    const auto& n2 = bodies[z(pair.second)].freedom;
+    const int at1 = r.first[z(r.place[z(pair.first)])];
+    const int at2 = r.first[z(r.place[z(pair.second)])];
+    const Vector row1 = n1.transpose() * pair.row_first;
+    const Vector row2 = n2.transpose() * pair.row_second;
+    // Block by block: a crowd has many pairs, and each touches two bodies only.
+    r.resistance.block(at1, at1, row1.size(), row1.size()) +=
+        pair.strength * row1 * row1.transpose();
+    r.resistance.block(at1, at2, row1.size(), row2.size()) +=
+        pair.strength * row1 * row2.transpose();
+    r.resistance.block(at2, at1, row2.size(), row1.size()) +=
+        pair.strength * row2 * row1.transpose();
+    r.resistance.block(at2, at2, row2.size(), row2.size()) +=
+        pair.strength * row2 * row2.transpose();
+    r.drive.segment(at1, row1.size()) += pair.drive * row1;
+    r.drive.segment(at2, row2.size()) += pair.drive * row2;
   }
   return r;
 }
