@@ -424,6 +424,9 @@ bool TimeLoop::handle_broken_bonds() {
         const double gap = parts_.contacts.rules.colloid_gap;
         displace(body, normal * (2.0 * contact_tolerance(gap, radius_)), {});
         body.bonds.erase(body.bonds.begin() + static_cast<std::ptrdiff_t>(n));
+        if (!body.attached()) {
+          body.members.front().contact_time = kNotYet;
+        }
         ++state_.bonds_broken;
         integrator_.refresh(state_.bodies);
         return true;
@@ -471,7 +474,11 @@ void TimeLoop::handle_rest() {
     RigidBody& body = state_.bodies[b];
     const auto touching = std::count_if(
         integrator_.contacts().begin(), integrator_.contacts().end(),
-        [&](const Contact& c) { return c.body == static_cast<int>(b); });
+        [&](const Contact& c) {
+          // The inlet's plane holds back, but nothing can wedge against it.
+          return c.body == static_cast<int>(b) &&
+                 is_surface(parts_.surfaces.box(), c.fixed);
+        });
     double fastest = 0.0;
     for (std::size_t m = 0; m < body.size(); ++m) {
       fastest = std::max(fastest, norm(body.velocity_of(m)));
