@@ -375,7 +375,7 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   if (std::isfinite(passed)) {
     ++counts_.located;
     if (!locate(bodies, 0.0, passed * step, forcing, trial, step)) {
-      fresh_ = false;
+      refresh(bodies);
       return 0.0;
     }
   }

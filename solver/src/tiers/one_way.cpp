@@ -16,8 +16,6 @@ namespace colloid {
 
 namespace {
 
-constexpr double kStepTolerance = 1e-3;
-
 Vec3 weight_in_liquid(const Scene& scene) {
   const double a = 0.5 * scene.colloids->diameter;
   const double volume = 4.0 / 3.0 * kPi * a * a * a;
@@ -81,7 +79,7 @@ std::optional<Realisation> run_one_way(const Scene& scene, const RunOptions& opt
   }
   const OneWayMotion model(motion, flow, surfaces, radii);
   LoopParts parts{flow, surfaces, model, contacts, plan, inlet.mean_speed, false,
-                  kStepTolerance, "one_way", models.inertia.reason};
+                  options.step_tolerance, "one_way", models.inertia.reason};
   parts.brownian = models.brownian.needed;
   return TimeLoop(scene, options, parts).run();
 }

@@ -22,6 +22,7 @@ struct RunOptions {
   std::string checkpoint;              ///< file; empty: none
   double checkpoint_interval = 600.0;  ///< of wall time [s]
   int threads = 1;                     ///< of the flow solver; results do not depend on it
+  double step_tolerance = 1e-3;  ///< error of a colloid's step over its radius or gap [-]
   const std::atomic<bool>* stop = nullptr;  ///< set by a signal: write a checkpoint, end
   std::function<void(const Progress&)> progress;  ///< called after every step
 };
