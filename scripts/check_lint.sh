@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# clang-tidy on the solver's sources, in parallel; its findings are errors.
+# clang-tidy on the sources of both programs, in parallel; its findings are errors.
 # One file takes seconds, so a file is checked again only when it or a header changed.
 set -eu
 cd "$(dirname "$0")/.."
@@ -14,4 +14,4 @@ check_one() {
   [ -e "$stamp" ] || { clang-tidy-14 --quiet -p build/ci "$1" 2>/dev/null && touch "$stamp"; }
 }
 export -f check_one
-git ls-files -z 'solver/src/*.cpp' | xargs -0 -r -n 1 -P "$(nproc)" bash -c 'check_one "$0"'
+git ls-files -z 'solver/src/*.cpp' 'orchestrator/src/*.cpp' | xargs -0 -r -n 1 -P "$(nproc)" bash -c 'check_one "$0"'

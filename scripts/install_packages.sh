@@ -5,8 +5,8 @@ set -eu
 packages=(
   build-essential cmake ninja-build git python3
   nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libeigen3-dev
-  libboost-dev libhdf5-dev libssl-dev libgtest-dev libgmock-dev libbenchmark-dev
-  python3-h5py python3-numpy
+  libboost-dev libboost-math-dev libhdf5-dev libsqlite3-dev libssl-dev
+  libgtest-dev libgmock-dev libbenchmark-dev python3-h5py python3-numpy
   clang-format-14 clang-tidy-14 libomp-14-dev gnuplot-nox
 )
 

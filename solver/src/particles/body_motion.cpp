@@ -1,6 +1,7 @@
 #include "particles/body_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "core/error.h"
@@ -126,23 +127,19 @@ Reduced reduce(const std::vector<BodySystem>& bodies, const std::vector<PairTerm
   }
   for (int p : group.pairs) {
     const PairTerm& pair = pairs[z(p)];
-    const auto& n1 = bodies[z(pair.first)].freedom;
-    const auto& n2 = bodies[z(pair.second)].freedom;
-    const int at1 = r.first[z(r.place[z(pair.first)])];
-    const int at2 = r.first[z(r.place[z(pair.second)])];
-    const Vector row1 = n1.transpose() * pair.row_first;
-    const Vector row2 = n2.transpose() * pair.row_second;
-    // Block by block: a crowd has many pairs, and each touches two bodies only.
-    r.resistance.block(at1, at1, row1.size(), row1.size()) +=
-        pair.strength * row1 * row1.transpose();
-    r.resistance.block(at1, at2, row1.size(), row2.size()) +=
-        pair.strength * row1 * row2.transpose();
-    r.resistance.block(at2, at1, row2.size(), row1.size()) +=
-        pair.strength * row2 * row1.transpose();
-    r.resistance.block(at2, at2, row2.size(), row2.size()) +=
-        pair.strength * row2 * row2.transpose();
-    r.drive.segment(at1, row1.size()) += pair.drive * row1;
-    r.drive.segment(at2, row2.size()) += pair.drive * row2;
+    // Only the blocks of its two bodies: a group may have hundreds of them.
+    const std::array<Vector, 2> row{
+        bodies[z(pair.first)].freedom.transpose() * pair.row_first,
+        bodies[z(pair.second)].freedom.transpose() * pair.row_second};
+    const std::array<int, 2> at{r.first[z(r.place[z(pair.first)])],
+                                r.first[z(r.place[z(pair.second)])]};
+    for (std::size_t i = 0; i < 2; ++i) {
+      r.drive.segment(at[i], row[i].size()) += pair.drive * row[i];
+      for (std::size_t j = 0; j < 2; ++j) {
+        r.resistance.block(at[i], at[j], row[i].size(), row[j].size()) +=
+            pair.strength * row[i] * row[j].transpose();
+      }
+    }
   }
   return r;
 }

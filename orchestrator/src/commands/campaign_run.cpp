@@ -1,0 +1,178 @@
+#include "commands/campaign_run.h"
+
+#include <fmt/format.h>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "commands/command.h"
+#include "execute/local_executor.h"
+
+namespace colloid {
+
+namespace {
+
+long& of(std::array<long, 5>& counts, Status status) {
+  return counts.at(static_cast<std::size_t>(status));
+}
+
+}  // namespace
+
+CampaignRun::CampaignRun(const Plan& plan, const RunFolder& folder,
+                         const SolverProgram& solver, Store& store, Executor& executor,
+                         const Signals& signals)
+    : plan_(plan),
+      folder_(folder),
+      solver_(solver),
+      store_(store),
+      executor_(executor),
+      signals_(signals),
+      ingester_(store, folder, plan),
+      counts_(store.count()),
+      progress_(static_cast<long>(plan.ensembles.size()) * plan.realisations,
+                of(counts_, Status::ingested)) {}
+
+int CampaignRun::run() {
+  try {
+    adopt(ingester_.catch_up());
+    counts_ = store_.count();
+    for (;;) {
+      Item item;
+      while (stops_ == 0 && executor_.free_slots() > 0 && next(item)) {
+        start(item);
+      }
+      if (active_.empty()) {
+        break;
+      }
+      wait_for_event();
+      for (const std::int64_t id : executor_.poll()) {
+        settle(id);
+      }
+      progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed),
+                     static_cast<long>(active_.size()));
+    }
+    store_.refresh_curves();
+  } catch (const StorageError&) {
+    drain_after_failure();
+    throw;
+  }
+  progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed), 0, true);
+  return exit_code();
+}
+
+void CampaignRun::adopt(const std::vector<AttemptOf>& running) {
+  for (const AttemptOf& attempt : running) {
+    const std::string folder =
+        attempt_folder(folder_.realisation(plan_, attempt.item), attempt.number);
+    const std::int64_t id = ++last_id_;
+    active_[id] = attempt;
+    if (!executor_.adopt({id, folder, {}, 0.0, 0.0})) {
+      settle(id);  // it has ended since
+    }
+  }
+}
+
+bool CampaignRun::next(Item& item) {
+  if (!retries_.empty()) {
+    item = retries_.front();
+    retries_.pop_front();
+    return true;
+  }
+  while (cursor_.index < plan_.realisations) {
+    item = cursor_;
+    if (++cursor_.ensemble == plan_.ensembles.size()) {
+      cursor_.ensemble = 0;
+      ++cursor_.index;
+    }
+    if (store_.status(item) == Status::eligible) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void CampaignRun::start(const Item& item) {
+  const std::string realisation = folder_.realisation(plan_, item);
+  const bool is_first = claim_folder(realisation);
+  const std::vector<int> before =
+      is_first ? std::vector<int>{} : attempts_in(realisation);
+  AttemptRecord attempt;
+  attempt.number = before.empty() ? 1 : before.back() + 1;
+  const std::string folder = attempt_folder(realisation, attempt.number);
+  if (!claim_folder(folder)) {
+    throw StorageError(folder + ": somebody else has begun this attempt");
+  }
+  std::vector<std::string> words = solver_.run_command(
+      plan_, item, folder_.scene_file(plan_.ensembles[item.ensemble]), "result.h5");
+  words.insert(words.end(), {"--checkpoint", realisation + "/checkpoint.h5"});
+  if (!plan_.limits.checkpoint_interval.empty()) {
+    words.insert(words.end(),
+                 {"--checkpoint-interval", plan_.limits.checkpoint_interval});
+  }
+  attempt.command = command_line(words);
+  attempt.started = utc_now();
+  attempt.node = host_name();
+  write_new(folder + "/command", attempt.command + "\n");
+  --of(counts_, store_.status(item));
+  store_.begin_attempt(item, attempt);
+  ++of(counts_, Status::active);
+  const std::int64_t id = ++last_id_;
+  active_[id] = {item, attempt.number};
+  executor_.submit({{id, folder, std::move(words), plan_.limits.seconds_per_realisation,
+                     plan_.limits.seconds_to_stop}});
+}
+
+void CampaignRun::settle(std::int64_t id) {
+  const AttemptOf ended = active_.at(id);
+  active_.erase(id);
+  --of(counts_, store_.status(ended.item));
+  const Settled settled = ingester_.settle(ended.item, ended.number);
+  ++of(counts_, settled.status);
+  if (settled.status == Status::eligible) {
+    retries_.push_back(ended.item);
+  }
+  if (settled.cause == Cause::not_started && stops_ == 0) {
+    stops_ = 1;
+    why_stopped_ = fmt::format("{} cannot be started", solver_.path());
+    executor_.cancel(Stop::politely);
+  }
+}
+
+void CampaignRun::wait_for_event() {
+  if (signals_.wait(executor_.pace()) != Signals::Event::stop) {
+    return;
+  }
+  ++stops_;
+  why_stopped_ = "interrupted";
+  fmt::print(stderr, "\n{}\n",
+             stops_ == 1 ? "stopping: the running realisations write checkpoints (once "
+                           "more to stop at once)"
+                         : "stopping at once");
+  executor_.cancel(stops_ == 1 ? Stop::politely : Stop::at_once);
+}
+
+void CampaignRun::drain_after_failure() {
+  // The database or the disk does not take results any more; those that come in stay in
+  // their folders, for `resume`.
+  executor_.cancel(Stop::politely);
+  const double patience = monotonic_seconds() + plan_.limits.seconds_to_stop + 5.0;
+  while (!active_.empty() && monotonic_seconds() < patience) {
+    signals_.wait(executor_.pace());
+    for (const std::int64_t id : executor_.poll()) {
+      active_.erase(id);
+    }
+  }
+}
+
+int CampaignRun::exit_code() {
+  counts_ = store_.count();
+  if (of(counts_, Status::eligible) > 0 || of(counts_, Status::active) > 0 ||
+      of(counts_, Status::unknown) > 0) {
+    return why_stopped_ == "interrupted" ? exit_interrupted : exit_stopped;
+  }
+  return of(counts_, Status::failed) > 0 || store_.contradictions() > 0 ? exit_failures
+                                                                        : exit_done;
+}
+
+}  // namespace colloid

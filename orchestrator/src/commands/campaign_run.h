@@ -1,0 +1,59 @@
+// Runs a campaign's realisations to their end: joins executor, ingester and store.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/signals.h"
+#include "campaign/run_folder.h"
+#include "campaign/solver_program.h"
+#include "commands/progress.h"
+#include "execute/executor.h"
+#include "ingest/ingester.h"
+#include "store/store.h"
+
+namespace colloid {
+
+class CampaignRun {
+ public:
+  CampaignRun(const Plan& plan, const RunFolder& folder, const SolverProgram& solver,
+              Store& store, Executor& executor, const Signals& signals);
+
+  /// Takes over what is running, starts what is eligible, ingests what ends, until
+  /// nothing is left or somebody stops it.  Returns an ExitCode.
+  int run();
+
+  /// Why it stopped early; empty if it did not.
+  const std::string& why_stopped() const { return why_stopped_; }
+
+ private:
+  /// The next realisation to start: retries first, then by index, so that all design
+  /// points advance together and what is finished is a prefix of every ensemble.
+  bool next(Item& item);
+  void start(const Item& item);
+  void adopt(const std::vector<AttemptOf>& running);
+  void settle(std::int64_t id);
+  void wait_for_event();
+  void drain_after_failure();
+  int exit_code();
+
+  const Plan& plan_;
+  const RunFolder& folder_;
+  const SolverProgram& solver_;
+  Store& store_;
+  Executor& executor_;
+  const Signals& signals_;
+  Ingester ingester_;
+  std::array<long, 5> counts_;
+  Progress progress_;
+  std::map<std::int64_t, AttemptOf> active_;
+  std::deque<Item> retries_;
+  Item cursor_;
+  std::int64_t last_id_ = 0;
+  int stops_ = 0;  ///< how often somebody asked us to stop
+  std::string why_stopped_;
+};
+
+}  // namespace colloid

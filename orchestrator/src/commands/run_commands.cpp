@@ -1,0 +1,247 @@
+#include "commands/run_commands.h"
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/file_lock.h"
+#include "base/files.h"
+#include "base/signals.h"
+#include "commands/campaign_run.h"
+#include "commands/open_campaign.h"
+#include "execute/local_executor.h"
+
+namespace colloid {
+
+namespace {
+
+/// Takes the campaign's lock; refuses if another orchestrator has it.
+FileLock lock_campaign(const RunFolder& folder) {
+  const std::string holder =
+      fmt::format("{} {} {}\n", ::getpid(), host_name(), utc_now());
+  auto lock = FileLock::take(folder.lock_file(), holder);
+  if (!lock) {
+    std::string other = read_if_there(folder.lock_file()).value_or("");
+    other = other.substr(0, other.find('\n'));
+    throw InputError(folder.path(),
+                     fmt::format("another poreclog is at work on this campaign (process, "
+                                 "machine, since: {}); `poreclog cancel` stops it",
+                                 other));
+  }
+  if (!lock->left_behind().empty()) {
+    fmt::print(stderr, "the last poreclog on this campaign was killed; going on\n");
+  }
+  return std::move(*lock);
+}
+
+int workers_of(const Plan& plan) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return plan.limits.workers > 0 ? plan.limits.workers : std::max(1, cores / plan.ranks);
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+nlohmann::ordered_json outcome_json(const Plan& plan, const RunFolder& folder,
+                                    Store& store, int exit_code, const std::string& why) {
+  nlohmann::ordered_json out{{"schema_version", 1}, {"campaign", plan.campaign}};
+  const std::array<long, 5> counts = store.count();
+  out["realisations"] = static_cast<long>(plan.ensembles.size()) * plan.realisations;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    out[name_of(static_cast<Status>(i))] = counts.at(i);
+  }
+  out["contradictions"] = store.contradictions();
+  out["stopped"] = why.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(why);
+  rusage own{};
+  ::getrusage(RUSAGE_SELF, &own);
+  out["orchestrator_cpu_s"] = seconds(own.ru_utime) + seconds(own.ru_stime);
+  out["orchestrator_memory_kB"] = own.ru_maxrss;
+  out["database"] = store.database().path();
+  out["run_folder"] = folder.path();
+  out["exit_code"] = exit_code;
+  return out;
+}
+
+std::string outcome_text(const nlohmann::ordered_json& outcome) {
+  std::string text = fmt::format(
+      "{}: {} of {} realisations ingested", outcome["campaign"].get<std::string>(),
+      outcome["ingested"].get<long>(), outcome["realisations"].get<long>());
+  for (const char* key : {"failed", "active", "eligible", "unknown", "contradictions"}) {
+    if (outcome[key].get<long>() > 0) {
+      text += fmt::format(", {} {}", outcome[key].get<long>(), key);
+    }
+  }
+  if (!outcome["stopped"].is_null()) {
+    text += "; " + outcome["stopped"].get<std::string>();
+  }
+  return text + "\n";
+}
+
+/// What the four commands have in common: from a plan to its realisations' ends.
+class WorkCommand : public Command {
+ public:
+  void declare_options(CLI::App& app) override {
+    common_.declare(app);
+    app.add_option("campaign", campaign_, campaign_help())->required();
+    app.add_option("--workers", workers_,
+                   "Realisations at once (default: the campaign's)")
+        ->envname("PORECLOG_WORKERS")
+        ->check(CLI::Range(1, 4096));
+    declare_more(app);
+  }
+
+  int run() override {
+    const Signals signals;
+    OpenedCampaign opened = open_campaign(campaign_, common_);
+    Plan& plan = opened.plan;
+    change(opened);
+    if (workers_ > 0) {
+      plan.limits.workers = workers_;
+    }
+    const SolverProgram solver = SolverProgram::find(common_.solver);
+    const RunFolder folder(common_.runs, plan.campaign);
+    const std::string database = absolute(common_.database);
+    make_places(folder, database);
+    const FileLock lock = lock_campaign(folder);
+    folder.write_plan(plan);
+    Store store(database, plan, folder.path());
+    prepare(plan, store, folder);
+    LocalExecutor executor(workers_of(plan), find_keeper());
+    CampaignRun campaign(plan, folder, solver, store, executor, signals);
+    const int exit_code = campaign.run();
+    const auto outcome =
+        outcome_json(plan, folder, store, exit_code, campaign.why_stopped());
+    std::cout << (common_.json ? outcome.dump(2) + "\n" : outcome_text(outcome));
+    return exit_code;
+  }
+
+ protected:
+  virtual const char* campaign_help() const {
+    return "A campaign file, or the name of a campaign that has been run";
+  }
+  virtual void declare_more(CLI::App&) {}
+  /// Changes the plan before it is stored.
+  virtual void change(OpenedCampaign&) {}
+  /// Changes the standing of realisations before the run.
+  virtual void prepare(const Plan&, Store&, const RunFolder&) {}
+
+  const CommonOptions& common() const { return common_; }
+
+ private:
+  /// A place that cannot be written to is refused: nothing has begun yet.
+  static void make_places(const RunFolder& folder, const std::string& database) {
+    try {
+      make_folder(folder.path());
+      make_folder(database.substr(0, database.rfind('/')));
+      write_whole(folder.path() + "/writable", "", false);
+    } catch (const StorageError& error) {
+      throw InputError("--runs, --database", error.what());
+    }
+    ::unlink((folder.path() + "/writable").c_str());
+  }
+
+  CommonOptions common_;
+  std::string campaign_;
+  int workers_ = 0;
+};
+
+class Run : public WorkCommand {};
+
+class Resume : public WorkCommand {
+ protected:
+  void change(OpenedCampaign& opened) override {
+    require(opened.exists, "campaign",
+            fmt::format("{} has not been run with --runs {}: there is nothing to resume; "
+                        "`poreclog run` begins it",
+                        opened.plan.campaign, common().runs));
+  }
+};
+
+/// Gives failed realisations all their attempts again.
+class Retry : public Resume {
+ protected:
+  void declare_more(CLI::App& app) override {
+    app.add_flag("--failed", failed_, "Those that failed (the default)");
+    app.add_flag(
+        "--unknown", unknown_,
+        "Those that were begun on another machine and are known to have stopped");
+  }
+  void prepare(const Plan& plan, Store& store, const RunFolder& folder) override {
+    for (std::size_t e = 0; e < plan.ensembles.size(); ++e) {
+      for (int index = 0; index < plan.realisations; ++index) {
+        const Item item{e, index};
+        const Status status = store.status(item);
+        const std::string realisation = folder.realisation(plan, item);
+        if (status == Status::unknown && unknown_) {
+          give_up_unknown(realisation);
+        } else if (status == Status::failed && (failed_ || !unknown_)) {
+          const std::vector<int> attempts = attempts_in(realisation);
+          store.forgive(item, attempts.empty() ? 0 : attempts.back());
+        }
+      }
+    }
+  }
+
+ private:
+  /// The user says that it does not run: an ending says so to the ingester.
+  static void give_up_unknown(const std::string& realisation) {
+    for (const int number : attempts_in(realisation)) {
+      const std::string ending = attempt_folder(realisation, number) + "/ending.json";
+      if (!read_if_there(ending)) {
+        write_whole(ending, "{\"schema_version\": 1, \"lost\": true}\n", false);
+      }
+    }
+  }
+
+  bool failed_ = false;
+  bool unknown_ = false;
+};
+
+/// More realisations of every design point; those that exist stay as they are.
+class Extend : public Resume {
+ protected:
+  void declare_more(CLI::App& app) override {
+    auto* size = app.add_option_group("size", "Exactly one:");
+    size->add_option("--by", by_, "So many more of each design point")
+        ->check(CLI::Range(1, 10'000'000));
+    size->add_option("--to", to_, "So many of each design point in all")
+        ->check(CLI::Range(1, 10'000'000));
+    size->require_option(1);
+  }
+  void change(OpenedCampaign& opened) override {
+    Resume::change(opened);
+    const int now = opened.plan.realisations;
+    require(to_ == 0 || to_ >= now, "--to",
+            fmt::format("is {}, but there are {} already: an ensemble does not shrink",
+                        to_, now));
+    opened.plan.realisations = std::min(10'000'000, to_ > 0 ? to_ : now + by_);
+  }
+
+ private:
+  int by_ = 0;
+  int to_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_run() {
+  return std::make_unique<Run>();
+}
+std::unique_ptr<Command> make_resume() {
+  return std::make_unique<Resume>();
+}
+std::unique_ptr<Command> make_retry() {
+  return std::make_unique<Retry>();
+}
+std::unique_ptr<Command> make_extend() {
+  return std::make_unique<Extend>();
+}
+
+}  // namespace colloid

@@ -1,0 +1,160 @@
+#include "execute/local_executor.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "base/file_lock.h"
+#include "base/files.h"
+
+namespace colloid {
+
+namespace {
+
+constexpr double kPace = 0.5;         // [s] our own children wake us by SIGCHLD
+constexpr double kPaceAdopted = 0.1;  // [s] others' children do not
+
+/// Attributes for children: a session of their own, so that a Ctrl-C at the terminal
+/// reaches only us; no blocked and no ignored signals.
+class SpawnAttributes {
+ public:
+  SpawnAttributes() {
+    sigset_t none{};
+    sigset_t ignored{};
+    ::sigemptyset(&none);
+    ::sigemptyset(&ignored);
+    ::sigaddset(&ignored, SIGPIPE);
+    ::posix_spawnattr_init(&attributes_);
+    ::posix_spawnattr_setsigmask(&attributes_, &none);
+    ::posix_spawnattr_setsigdefault(&attributes_, &ignored);
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK |
+                                                 POSIX_SPAWN_SETSIGDEF |
+                                                 POSIX_SPAWN_SETSID);
+  }
+  SpawnAttributes(const SpawnAttributes&) = delete;
+  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+  ~SpawnAttributes() { ::posix_spawnattr_destroy(&attributes_); }
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
+pid_t spawn(const std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
+  for (const std::string& word : words) {
+    arguments.push_back(const_cast<char*>(word.c_str()));
+  }
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  const SpawnAttributes attributes;
+  const int error = ::posix_spawn(&child, arguments[0], nullptr, attributes.get(),
+                                  arguments.data(), environ);
+  if (error != 0) {
+    throw StorageError(
+        fmt::format("{} cannot be started: {}", words[0], std::strerror(error)));
+  }
+  return child;
+}
+
+}  // namespace
+
+LocalExecutor::LocalExecutor(int workers, std::string keeper)
+    : workers_(static_cast<std::size_t>(workers)), keeper_(std::move(keeper)) {
+  assert(workers > 0);
+}
+
+std::size_t LocalExecutor::free_slots() const {
+  return workers_ - std::min(workers_, running_.size());
+}
+
+void LocalExecutor::submit(const std::vector<Job>& jobs) {
+  for (const Job& job : jobs) {
+    std::vector<std::string> words{keeper_, job.folder, fmt::format("{}", job.seconds),
+                                   fmt::format("{}", job.seconds_to_stop), "--"};
+    words.insert(words.end(), job.command.begin(), job.command.end());
+    running_[job.id] = {spawn(words), job.folder};
+  }
+}
+
+bool LocalExecutor::adopt(const Job& job) {
+  const bool runs = is_running(job.folder);
+  if (runs) {
+    running_[job.id] = {0, job.folder};
+  }
+  return runs;
+}
+
+std::vector<std::int64_t> LocalExecutor::poll() {
+  std::vector<std::int64_t> ended;
+  for (const auto& [id, job] : running_) {
+    // A child of ours has ended when it has been waited for; if it was killed, the solver
+    // goes an instant later, and the lock with it.
+    const bool gone = job.keeper == 0 || ::waitpid(job.keeper, nullptr, WNOHANG) != 0;
+    if (gone && !is_running(job.folder)) {
+      ended.push_back(id);
+    } else if (gone && job.keeper != 0) {
+      running_[id].keeper = 0;
+    }
+  }
+  for (const std::int64_t id : ended) {
+    running_.erase(id);
+  }
+  return ended;
+}
+
+void LocalExecutor::cancel(Stop how) {
+  for (const auto& [id, job] : running_) {
+    const pid_t keeper = job.keeper != 0 ? job.keeper : keeper_of(job.folder).process;
+    if (keeper > 0) {
+      ::kill(keeper, how == Stop::politely ? SIGTERM : SIGQUIT);
+    }
+  }
+}
+
+double LocalExecutor::pace() const {
+  const bool adopted = std::any_of(running_.begin(), running_.end(), [](const auto& job) {
+    return job.second.keeper == 0;
+  });
+  return adopted ? kPaceAdopted : kPace;
+}
+
+bool is_running(const std::string& attempt_folder) {
+  return FileLock::is_held(attempt_folder + "/lock");
+}
+
+Keeper keeper_of(const std::string& attempt_folder) {
+  Keeper keeper;
+  std::istringstream text(read_if_there(attempt_folder + "/lock").value_or(""));
+  text >> keeper.process >> keeper.host;
+  return keeper;
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+std::string find_keeper() {
+  const std::filesystem::path here =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::string path = (here / "poreclog-attempt").string();
+  require(::access(path.c_str(), X_OK) == 0, path,
+          "is not there; it belongs beside poreclog");
+  return path;
+}
+
+}  // namespace colloid

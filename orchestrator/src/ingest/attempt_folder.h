@@ -1,0 +1,25 @@
+// Reads what an attempt left in its folder.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "store/records.h"
+
+namespace colloid {
+
+/// The attempt as its keeper and the solver recorded it; the cause is that of an attempt
+/// without a result.
+AttemptRecord read_attempt(const std::string& folder, int number);
+
+/// The last line the solver wrote to stderr.
+std::string last_message(const std::string& folder);
+
+/// Was it begun by a keeper on another machine, whose locks may not be seen here?
+bool on_another_machine(const std::string& folder);
+
+/// Takes an attempt that has left no ending for lost, so that it cannot begin any more;
+/// false if it is running after all.
+bool give_up(const std::string& folder);
+
+}  // namespace colloid

@@ -1,0 +1,209 @@
+#include "ingest/ingester.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/file_lock.h"
+#include "ingest/attempt_folder.h"
+#include "ingest/result_file.h"
+
+namespace colloid {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A realisation whose attempts are lost so often is given up: something kills them.
+constexpr int kMostLost = 100;
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+/// A solver that refuses its input while there is a checkpoint may mean the checkpoint:
+/// it goes to the attempt's folder, and the next attempt begins anew.
+void put_checkpoint_aside(const std::string& realisation, const std::string& attempt) {
+  std::error_code ignored;
+  fs::rename(realisation + "/checkpoint.h5", attempt + "/checkpoint.refused.h5", ignored);
+}
+
+}  // namespace
+
+std::vector<AttemptOf> Ingester::catch_up() {
+  std::vector<AttemptOf> running;
+  std::set<std::pair<std::size_t, int>> seen;
+  for (std::size_t e = 0; e < plan_.ensembles.size(); ++e) {
+    for (const int index : folder_.started(plan_.ensembles[e])) {
+      const Item item{e, index};
+      if (index < plan_.realisations && store_.status(item) != Status::ingested) {
+        catch_up(item, running);
+        seen.insert({e, index});
+      }
+    }
+  }
+  // Also late attempts of realisations that another attempt finished, and attempts whose
+  // folder is gone.
+  for (const Item& item : store_.with_running_attempts()) {
+    if (seen.count({item.ensemble, item.index}) == 0) {
+      catch_up(item, running);
+    }
+  }
+  return running;
+}
+
+void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
+  const std::string realisation = folder_.realisation(plan_, item);
+  std::map<int, Cause> known;
+  for (const AttemptRecord& attempt : store_.attempts(item)) {
+    known[attempt.number] = attempt.cause;
+  }
+  std::set<int> open;
+  for (const int number : attempts_in(realisation)) {
+    const auto found = known.find(number);
+    if (found == known.end() || found->second == Cause::running) {
+      open.insert(number);
+    }
+  }
+  for (const auto& [number, cause] : known) {
+    if (cause == Cause::running) {
+      open.insert(number);
+    }
+  }
+  bool is_active = false;
+  bool is_unknown = false;
+  for (const int number : open) {
+    const std::string folder = attempt_folder(realisation, number);
+    if (is_there(folder) && !is_there(folder + "/ending.json") &&
+        !is_there(folder + "/result.h5")) {
+      if (on_another_machine(folder)) {
+        is_unknown = true;
+        continue;
+      }
+      if (!give_up(folder)) {
+        running.push_back({item, number});
+        is_active = true;
+        continue;
+      }
+    } else if (FileLock::is_held(folder + "/lock")) {
+      running.push_back({item, number});
+      is_active = true;
+      continue;
+    }
+    settle(item, number);
+  }
+  if (store_.status(item) != Status::ingested) {
+    const Status status = is_active    ? Status::active
+                          : is_unknown ? Status::unknown
+                                       : standing(item);
+    if (status != store_.status(item)) {
+      store_.set_status(item, status);
+    }
+  }
+}
+
+Settled Ingester::settle(const Item& item, int number) {
+  const std::string realisation = folder_.realisation(plan_, item);
+  const std::string folder = attempt_folder(realisation, number);
+  const bool was_ingested = store_.status(item) == Status::ingested;
+  AttemptRecord attempt = read_attempt(folder, number);
+  std::vector<Incident> incidents;
+  if (is_there(folder + "/result.h5")) {
+    try {
+      const ResultRecord result = read_result(folder + "/result.h5");
+      const std::string why = foreign(item, result);
+      if (why.empty()) {
+        attempt.cause = Cause::finished;
+        was_ingested ? store_.compare(item, attempt, result)
+                     : store_.ingest(item, attempt, result);
+        std::error_code ignored;
+        fs::remove(realisation + "/checkpoint.h5", ignored);
+        return {Status::ingested, attempt.cause};
+      }
+      attempt.cause = Cause::foreign_result;
+      attempt.message = why;
+    } catch (const TornResult& torn) {
+      attempt.cause = Cause::torn_result;
+      attempt.message = torn.what();
+    }
+    incidents.push_back({name_of(attempt.cause), "result.h5: " + attempt.message});
+  } else {
+    attempt.message = last_message(folder);
+  }
+  if (attempt.cause == Cause::lost) {
+    incidents.push_back({"lost", "ended without a trace"});
+  }
+  if (attempt.cause == Cause::refused && is_there(realisation + "/checkpoint.h5")) {
+    put_checkpoint_aside(realisation, folder);
+    incidents.push_back({"checkpoint_refused", attempt.message});
+  }
+  store_.end_attempt(item, attempt, store_.status(item), incidents);
+  if (!was_ingested) {
+    store_.set_status(item, standing(item));
+  }
+  return {store_.status(item), attempt.cause};
+}
+
+Status Ingester::standing(const Item& item) {
+  const std::string realisation = folder_.realisation(plan_, item);
+  const int forgiven = store_.forgiven(item);
+  int failures = 0;
+  int lost = 0;
+  bool hopeless = false;
+  for (const AttemptRecord& attempt : store_.attempts(item)) {
+    if (attempt.number <= forgiven) {
+      continue;
+    }
+    failures += counts_as_failure(attempt.cause) ? 1 : 0;
+    lost += attempt.cause == Cause::lost ? 1 : 0;
+    const bool checkpoint_was_refused =
+        attempt.cause == Cause::refused &&
+        is_there(attempt_folder(realisation, attempt.number) + "/checkpoint.refused.h5");
+    hopeless = hopeless || (counts_as_failure(attempt.cause) &&
+                            !is_worth_retrying(attempt.cause) && !checkpoint_was_refused);
+  }
+  return hopeless || failures >= plan_.limits.attempts || lost >= kMostLost
+             ? Status::failed
+             : Status::eligible;
+}
+
+std::string Ingester::foreign(const Item& item, const ResultRecord& result) {
+  const std::uint64_t seed = seed_of(plan_, item);
+  if (result.seed != seed) {
+    return fmt::format("it is of seed {}, expected {}", result.seed, seed);
+  }
+  const Ensemble& ensemble = plan_.ensembles[item.ensemble];
+  const bool any_tier = ensemble.tier == "auto";
+  if (!any_tier && result.tier != ensemble.tier) {
+    return fmt::format("it is of tier {}, expected {}", result.tier, ensemble.tier);
+  }
+  if (!result.scene.empty()) {
+    const std::string expected =
+        any_tier ? scene_hash_of(ensemble.scene.dump(), true) : ensemble.scene_hash;
+    if (scene_hash_of(result.scene, any_tier) != expected) {
+      return "it is of another scene";
+    }
+  }
+  return "";
+}
+
+std::string Ingester::scene_hash_of(const std::string& scene, bool without_tier) {
+  if (scene != last_scene_) {
+    nlohmann::json parsed = nlohmann::json::parse(scene, nullptr, false);
+    if (!parsed.is_object()) {
+      return "";
+    }
+    if (without_tier && parsed.contains("fidelity")) {
+      parsed["fidelity"].erase("tier");
+    }
+    last_scene_hash_ = hash_of_scene(std::move(parsed));
+    last_scene_ = scene;
+  }
+  return last_scene_hash_;
+}
+
+}  // namespace colloid

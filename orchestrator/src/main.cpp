@@ -1,0 +1,96 @@
+// poreclog: campaigns in, ensembles of results out.  The subcommands are in commands/.
+#include <array>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "commands/cancel.h"
+#include "commands/check.h"
+#include "commands/command.h"
+#include "commands/query.h"
+#include "commands/repair.h"
+#include "commands/run_commands.h"
+#include "commands/show.h"
+#include "commands/status.h"
+#include "git_commit.h"  // written by cmake/GitCommit.cmake at every build
+
+namespace {
+
+using colloid::Command;
+using colloid::CommandEntry;
+
+constexpr std::array kCommands{
+    CommandEntry{"check", "Check a campaign; print what would run, why, and its cost",
+                 colloid::make_check},
+    CommandEntry{"run", "Run a campaign, or go on with it", colloid::make_run},
+    CommandEntry{"status", "Print where a campaign stands", colloid::make_status},
+    CommandEntry{"resume", "Go on with a campaign that was interrupted",
+                 colloid::make_resume},
+    CommandEntry{"retry", "Try failed realisations again", colloid::make_retry},
+    CommandEntry{"extend", "Add realisations to a campaign", colloid::make_extend},
+    CommandEntry{"cancel", "Stop a campaign that another process runs",
+                 colloid::make_cancel},
+    CommandEntry{"query", "Ask the results database", colloid::make_query},
+    CommandEntry{"show", "Print one realisation, and how to repeat it alone",
+                 colloid::make_show},
+    CommandEntry{"repair", "Make the results database again from the run folders",
+                 colloid::make_repair},
+};
+
+int run(int argc, char** argv) {
+  CLI::App program("Runs ensembles of colloids that clog a pore throat");
+  program.name("poreclog");
+  program.set_version_flag(
+      "--version",
+      fmt::format("poreclog {} (commit {})", PORECLOG_VERSION, PORECLOG_GIT_COMMIT));
+  program.require_subcommand(1);
+  program.footer(
+      "Exit codes: 0 all done, 1 refused, 2 finished with failed realisations,\n"
+      "3 stopped before the target, 4 interrupted (resumable), 5 internal error.");
+
+  std::vector<std::unique_ptr<Command>> commands;
+  std::vector<CLI::App*> parsers;
+  for (const CommandEntry& entry : kCommands) {
+    commands.push_back(entry.make());
+    parsers.push_back(program.add_subcommand(entry.name, entry.summary));
+    commands.back()->declare_options(*parsers.back());
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      return program.exit(error);  // --help or --version: prints it
+    }
+    throw colloid::InputError("command line", error.what());
+  }
+  for (std::size_t i = 0; i < parsers.size(); ++i) {
+    if (parsers[i]->parsed()) {
+      return commands[i]->run();
+    }
+  }
+  throw std::logic_error("no subcommand was parsed");
+}
+
+int complain(const char* kind, const std::exception& error, int exit_code) {
+  std::cerr << fmt::format("poreclog: {}{}\n", kind, error.what());
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const colloid::InputError& error) {
+    return complain("", error, colloid::exit_refused);
+  } catch (const colloid::StorageError& error) {
+    return complain("stopped, can be resumed: ", error, colloid::exit_interrupted);
+  } catch (const std::exception& error) {
+    return complain("internal error: ", error, colloid::exit_internal);
+  }
+}
