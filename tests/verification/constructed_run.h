@@ -62,8 +62,8 @@ inline Realisation run_from(const Scene& scene, const Start& start,
 inline Scene one_grain_scene() {
   Scene scene;
   scene.geometry.box.size = {60e-6, 60e-6, 90e-6};
-  scene.geometry.box.faces = {FaceCondition::wall, FaceCondition::wall,
-                              FaceCondition::wall, FaceCondition::wall,
+  scene.geometry.box.faces = {FaceCondition::wall,   FaceCondition::wall,
+                              FaceCondition::wall,   FaceCondition::wall,
                               FaceCondition::outlet, FaceCondition::inlet};
   scene.geometry.spheres = {{{30e-6, 30e-6, 35e-6}, 15e-6}};
   scene.drive.inlet_velocity = 0.5e-3;

@@ -12,9 +12,9 @@
 
 namespace colloid::cases {
 
-constexpr double kRadius = 1e-6;      // a [m]
-constexpr double kMu = 1e-3;          // [Pa s]
-constexpr double kKelvin = 298.0;     // [K]
+constexpr double kRadius = 1e-6;                     // a [m]
+constexpr double kMu = 1e-3;                         // [Pa s]
+constexpr double kKelvin = 298.0;                    // [K]
 constexpr double kDrag = 6.0 * kPi * kMu * kRadius;  // [N s/m]
 
 /// An ambient flow given by a formula.

@@ -33,8 +33,8 @@ Vec3 turn_rate(const Vec3& theta, const Vec3& w) {
 }
 
 std::vector<RigidBody> displaced(const std::vector<RigidBody>& bodies,
-                            const std::vector<Vec3>& shift,
-                            const std::vector<Vec3>& turn) {
+                                 const std::vector<Vec3>& shift,
+                                 const std::vector<Vec3>& turn) {
   std::vector<RigidBody> out = bodies;
   for (std::size_t b = 0; b < out.size(); ++b) {
     displace(out[b], shift[b], turn[b]);
@@ -97,8 +97,7 @@ double Integrator::error_of(const std::vector<RigidBody>& bodies,
         if (!is_surface(surfaces_.box(), surface.id)) {
           continue;
         }
-        const double touching =
-            contact_gap(options_.rules, surfaces_.box(), surface.id);
+        const double touching = contact_gap(options_.rules, surfaces_.box(), surface.id);
         const double gap = std::max(surface.distance - a, touching);
         if (gap < a && gap > 0.0) {
           worst = std::max(worst, std::abs(dot(error, surface.normal)) / gap);
@@ -191,12 +190,10 @@ double Integrator::least_event(const std::vector<RigidBody>& bodies) const {
     for (std::size_t m = 0; m < bodies[b].size(); ++m) {
       const Vec3 x = bodies[b].position(m);
       const double exit_tolerance = kContactTolerance * a;
-      least = std::min(least,
-                       distance_to_exit(surfaces_.box(), x, a) / exit_tolerance);
+      least = std::min(least, distance_to_exit(surfaces_.box(), x, a) / exit_tolerance);
       surfaces_.near(x, near);
       for (const NearSurface& surface : near) {
-        const double touching =
-            contact_gap(options_.rules, surfaces_.box(), surface.id);
+        const double touching = contact_gap(options_.rules, surfaces_.box(), surface.id);
         const double margin = surface.distance - a - touching;
         if (margin < a && !in_contact(b, m, surface.id)) {
           least = std::min(least, margin / contact_tolerance(touching, a));
@@ -313,8 +310,7 @@ double Integrator::travel_limit(const Motion& motion,
   double fastest = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (const Vec3& arm : bodies[b].arms) {
-      fastest =
-          std::max(fastest, norm(motion.velocity[b] + cross(motion.spin[b], arm)));
+      fastest = std::max(fastest, norm(motion.velocity[b] + cross(motion.spin[b], arm)));
     }
   }
   return fastest > 0.0 ? options_.most_travel * options_.radius / fastest
@@ -354,8 +350,7 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   Trial trial;
   for (int rejection = 0;; ++rejection) {
     trial = attempt(bodies, step, forcing);
-    const double factor =
-        kSafety * std::pow(std::max(trial.error, 1e-6), -1.0 / 3.0);
+    const double factor = kSafety * std::pow(std::max(trial.error, 1e-6), -1.0 / 3.0);
     if (forcing || trial.error <= 1.0) {
       // A step cut short by `longest` says little about the next one.
       if (step < longest || factor < 1.0) {
@@ -384,8 +379,9 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   motion_ = std::move(trial.end);
   // Velocities at the end of the step hold on if nothing there is corrected or new.
   const bool loose = contacts_.empty() && !forcing &&
-                     std::all_of(bodies.begin(), bodies.end(),
-                                 [](const RigidBody& body) { return body.bonds.empty(); });
+                     std::all_of(bodies.begin(), bodies.end(), [](const RigidBody& body) {
+                       return body.bonds.empty();
+                     });
   settle(bodies);
   count_overlaps(bodies);
   if (loose && find_touches(bodies, surfaces_, options_.rules, options_.radius).empty()) {

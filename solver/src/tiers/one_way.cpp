@@ -33,9 +33,10 @@ Regime regime_of(const Scene& scene, const DepositFlow& flow) {
 
 void refuse_inertia(const Regime& regime) {
   require(!regime.colloids->models.inertia.needed, "/fidelity/tier", [&] {
-    return fmt::format("the tier one_way neglects inertia, but {}; expected "
-                       "\"transient\" or a slower flow",
-                       regime.colloids->models.inertia.reason);
+    return fmt::format(
+        "the tier one_way neglects inertia, but {}; expected "
+        "\"transient\" or a slower flow",
+        regime.colloids->models.inertia.reason);
   });
 }
 
@@ -78,8 +79,11 @@ std::optional<Realisation> run_one_way(const Scene& scene, const RunOptions& opt
     radii.push_back(grain.radius);
   }
   const OneWayMotion model(motion, flow, surfaces, radii);
-  LoopParts parts{flow, surfaces, model, contacts, plan, inlet.mean_speed, false,
-                  options.step_tolerance, "one_way", models.inertia.reason};
+  LoopParts parts{flow,      surfaces,
+                  model,     contacts,
+                  plan,      inlet.mean_speed,
+                  false,     options.step_tolerance,
+                  "one_way", models.inertia.reason};
   parts.brownian = models.brownian.needed;
   return TimeLoop(scene, options, parts).run();
 }

@@ -155,10 +155,9 @@ Occupation occupation(double weight, double fineness, int steps, std::uint64_t s
 TEST(Brownian, GapsBesideAWallFollowBoltzmann) {
   for (double weight_over_kT : {0.0, 3.0}) {
     const double w = weight_over_kT;
-    const double expected =
-        w == 0.0 ? 1.0
-                 : (std::exp(-0.2 * w) - std::exp(-0.4 * w)) /
-                       (std::exp(-0.6 * w) - std::exp(-0.8 * w));
+    const double expected = w == 0.0 ? 1.0
+                                     : (std::exp(-0.2 * w) - std::exp(-0.4 * w)) /
+                                           (std::exp(-0.6 * w) - std::exp(-0.8 * w));
     for (double fineness : {0.2, 0.1}) {
       const int steps = fineness > 0.15 ? 100000 : 200000;
       const Occupation got = occupation(w * kThermal / kRadius, fineness, steps, 21);

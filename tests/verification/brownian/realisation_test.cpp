@@ -24,8 +24,7 @@ Scene slow_scene() {
 // <x^2> = 2 D t across the stream between two frames, whether the outputs cut the thermal
 // steps short (1 ms, a third of a step) or not (10 ms).
 TEST(BrownianRealisation, DiffusesBetweenOutputsAsStokesAndEinsteinSay) {
-  constexpr double kDiffusivity =
-      kBoltzmann * 298.0 / (6.0 * kPi * 1e-3 * 0.5e-6);
+  constexpr double kDiffusivity = kBoltzmann * 298.0 / (6.0 * kPi * 1e-3 * 0.5e-6);
   for (double duration : {0.5, 5.0}) {
     Scene scene = slow_scene();
     scene.duration = duration;

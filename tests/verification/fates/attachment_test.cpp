@@ -33,8 +33,8 @@ void expect_conserved(const Realisation& r, long released) {
 }
 
 TEST(Fate, ArrestedOnTheGrainStraightBelow) {
-  const Realisation r =
-      cases::run_from(cases::one_grain_scene(), {{released_at({30e-6, 30e-6, 80e-6})}, {}});
+  const Realisation r = cases::run_from(cases::one_grain_scene(),
+                                        {{released_at({30e-6, 30e-6, 80e-6})}, {}});
   ASSERT_EQ(r.retained.size(), 1u);
   const RetainedColloid& c = r.retained[0];
   EXPECT_EQ(c.layer, Layer::first);
@@ -92,8 +92,8 @@ TEST(Fate, MobileColloidsThatTouchMoveAsOneAndAreRetainedTogether) {
   const Vec3 low{33e-6, 30e-6, 70e-6};
   const Vec3 n{0.6, 0.0, 0.8};
   const Vec3 high = low + n * (2.0 * kRadius + 0.999 * kGap);
-  const Realisation r = cases::run_from(cases::one_grain_scene(),
-                                        {{released_at(low, 0), released_at(high, 1)}, {}});
+  const Realisation r = cases::run_from(
+      cases::one_grain_scene(), {{released_at(low, 0), released_at(high, 1)}, {}});
   ASSERT_EQ(r.retained.size(), 2u);
   const RetainedColloid& a = r.retained[0];
   const RetainedColloid& b = r.retained[1];

@@ -49,7 +49,8 @@ SurfaceModel contacts_of(const Scene& scene) {
 Realisation drop_into(const Scene& scene, double aside) {
   const double top = scene.geometry.box.size.z - 0.5 * scene.colloids->diameter;
   const double middle = 0.5 * kCollector;
-  return cases::run_from(scene, {{released_at({middle + aside, middle, top - 1e-6})}, {}});
+  return cases::run_from(scene,
+                         {{released_at({middle + aside, middle, top - 1e-6})}, {}});
 }
 
 TEST(Straining, HoldsAColloidLargerThanTheHole) {
@@ -111,16 +112,16 @@ TEST(Repulsion, GivesWayToAPushBeyondItsLargest) {
   ASSERT_FALSE(contacts.rules.grains_attach);
   const double repulsion = contacts.rules.grain_repulsion;
   const double a = 0.5 * scene.colloids->diameter;
-  const double mass = 4.0 / 3.0 * kPi * a * a * a *
-                      (scene.colloids->density - scene.fluid.density);
+  const double mass =
+      4.0 / 3.0 * kPi * a * a * a * (scene.colloids->density - scene.fluid.density);
   const double drag = stokes_drag(1e-3, a, 0.5e-3);
   std::printf("largest repulsion %.3e N, drag %.3e N, standoff %.3e m\n", repulsion, drag,
               contacts.rules.grain_gap);
   ASSERT_GT(repulsion, 20.0 * drag);
   for (double push : {0.9, 1.1}) {
     scene.gravity = {0.0, 0.0, -push * repulsion / mass};
-    const Realisation r = cases::run_from(
-        scene, {{released_at({30e-6, 30e-6, 55e-6})}, {}});
+    const Realisation r =
+        cases::run_from(scene, {{released_at({30e-6, 30e-6, 55e-6})}, {}});
     EXPECT_EQ(r.retained.size(), push > 1.0 ? 1u : 0u) << push;
     if (push > 1.0) {
       EXPECT_EQ(r.retained.front().mechanism, Mechanism::attachment_to_grain);

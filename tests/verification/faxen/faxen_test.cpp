@@ -78,8 +78,7 @@ Error largest_error(int cells) {
       const Vec3 w{0.5 * exact.uy, -0.5 * exact.ux, 0.0};
       error.velocity = std::max(
           error.velocity, norm(got.velocity - u) / (kForce / kMu * kWidth * kWidth));
-      error.spin =
-          std::max(error.spin, norm(got.spin - w) / (kForce / kMu * kWidth));
+      error.spin = std::max(error.spin, norm(got.spin - w) / (kForce / kMu * kWidth));
     }
   }
   return error;
@@ -91,9 +90,9 @@ TEST(Faxen, AverageOverTheSphereConvergesAtSecondOrder) {
   for (int cells : {12, 24, 48}) {
     last = largest_error(cells);
     const double h2 = 1.0 / (cells * cells);
-    std::printf("%d cells: velocity %.2e (over h^2 %.3f), spin %.2e (over h^2 W/a %.3f)\n",
-                cells, last.velocity, last.velocity / h2, last.spin,
-                last.spin / h2 * kRadius / kWidth);
+    std::printf(
+        "%d cells: velocity %.2e (over h^2 %.3f), spin %.2e (over h^2 W/a %.3f)\n", cells,
+        last.velocity, last.velocity / h2, last.spin, last.spin / h2 * kRadius / kWidth);
     // README: interpolation h^2/8 (|u_xx| + |u_yy|) = h^2/8 G/mu, differences h^2/24.
     EXPECT_LT(last.velocity, (1.0 / 8.0 + 1.0 / 24.0) * h2);
     EXPECT_LT(last.spin, 1.5 * (1.0 / 8.0 + 1.0 / 24.0) * h2 * kWidth / kRadius);
@@ -109,20 +108,20 @@ TEST(Faxen, AverageOverTheSphereConvergesAtSecondOrder) {
 TEST(Faxen, ReferenceSolvesPoissonsEquation) {
   const double e = 1e-3 * kWidth;
   const double x = 0.3 * kWidth, y = 0.45 * kWidth;
-  const double lap = (exact_duct(x + e, y).u + exact_duct(x - e, y).u +
-                      exact_duct(x, y + e).u + exact_duct(x, y - e).u -
-                      4.0 * exact_duct(x, y).u) /
-                     (e * e);
+  const double lap =
+      (exact_duct(x + e, y).u + exact_duct(x - e, y).u + exact_duct(x, y + e).u +
+       exact_duct(x, y - e).u - 4.0 * exact_duct(x, y).u) /
+      (e * e);
   // What is left out of the Laplacian: less than its first term, 2/alpha.
   EXPECT_NEAR(lap / (kForce / kMu), 1.0, 2.0 / (kTerms * kPi) + 1e-4);
   EXPECT_NEAR(exact_duct(0.0, y).u / exact_duct(x, y).u, 0.0, 1e-5);
   EXPECT_NEAR(exact_duct(x, kWidth).u / exact_duct(x, y).u, 0.0, 1e-12);
-  EXPECT_NEAR((exact_duct(x + e, y).u - exact_duct(x - e, y).u) / (2.0 * e) /
-                  exact_duct(x, y).ux,
-              1.0, 1e-4);
-  EXPECT_NEAR((exact_duct(x, y + e).u - exact_duct(x, y - e).u) / (2.0 * e) /
-                  exact_duct(x, y).uy,
-              1.0, 1e-4);
+  EXPECT_NEAR(
+      (exact_duct(x + e, y).u - exact_duct(x - e, y).u) / (2.0 * e) / exact_duct(x, y).ux,
+      1.0, 1e-4);
+  EXPECT_NEAR(
+      (exact_duct(x, y + e).u - exact_duct(x, y - e).u) / (2.0 * e) / exact_duct(x, y).uy,
+      1.0, 1e-4);
 }
 
 }  // namespace

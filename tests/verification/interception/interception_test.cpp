@@ -85,8 +85,7 @@ Found efficiency(double interception, double tolerance) {
   options.radius = interception * kCollector / (1.0 + kGap);
   options.rules.grain_gap = kGap * options.radius;
   const auto flow = [&](const Vec3& x, double) {
-    return AmbientMotion{
-        cell.velocity((x - kCentre) * (1.0 / kCollector)) * kSpeed, {}};
+    return AmbientMotion{cell.velocity((x - kCentre) * (1.0 / kCollector)) * kSpeed, {}};
   };
   const cases::Setting setting(options, flow, cases::wide_box(kEdge),
                                {{kCentre, kCollector}});
@@ -121,8 +120,7 @@ TEST_P(Happel, LimitingTrajectoryGivesTheExactEfficiency) {
                 c.interception, tolerance, found.efficiency, error, found.steps);
     // README: 2 tolerance per step, the last digit of the reference, and the tolerance
     // of contact, 1e-3 of its gap, 1e-2 a.
-    const double bound =
-        2.0 * tolerance * static_cast<double>(found.steps) + 1e-5 + 2e-5;
+    const double bound = 2.0 * tolerance * static_cast<double>(found.steps) + 1e-5 + 2e-5;
     EXPECT_LT(std::abs(error), bound);
   }
 }

@@ -25,7 +25,8 @@ OneWayOptions pair_options(double gap) {
 
 // Two colloids at middle +- r/2.
 std::vector<RigidBody> pair_at(const Vec3& r) {
-  return {cases::colloid_at(kMiddle + 0.5 * r, 0), cases::colloid_at(kMiddle - 0.5 * r, 1)};
+  return {cases::colloid_at(kMiddle + 0.5 * r, 0),
+          cases::colloid_at(kMiddle - 0.5 * r, 1)};
 }
 
 struct Squeeze {
@@ -41,9 +42,8 @@ TEST(TwoColloids, ApproachUnderOpposedForces) {
   for (const Squeeze& s :
        {Squeeze{2.01, 53.4223}, Squeeze{2.1, 7.41330}, Squeeze{3.0, 2.03865}}) {
     const double force = 1e-13;
-    const Motion motion =
-        setting.model->motion(pair_at(n * (s.distance * kRadius)), {},
-                              {{n * -force, {}}, {n * force, {}}});
+    const Motion motion = setting.model->motion(pair_at(n * (s.distance * kRadius)), {},
+                                                {{n * -force, {}}, {n * force, {}}});
     const Vec3 expected = n * (-force / kDrag / s.factor);
     // The fit of the pair functions: 3e-5 of the larger one.
     EXPECT_LT(norm(motion.velocity[0] - expected), 1e-4 * norm(expected)) << s.distance;
@@ -76,8 +76,8 @@ TEST(TwoColloids, FollowALinearFlowAsBatchelorAndGreen) {
   const cases::Setting setting(pair_options(1e-5 * kRadius), linear_flow,
                                cases::wide_box(kEdge), {});
   const PairInStrain series;
-  for (const Vec3& n : {Vec3{0.48, -0.6, 0.64}, Vec3{1.0, 0.0, 0.0},
-                        Vec3{-0.36, 0.48, 0.8}}) {
+  for (const Vec3& n :
+       {Vec3{0.48, -0.6, 0.64}, Vec3{1.0, 0.0, 0.0}, Vec3{-0.36, 0.48, 0.8}}) {
     for (double gap : {1e-3, 1e-2, 0.1, 0.5, 1.0, 2.0}) {
       const Vec3 r = n * ((2.0 + gap) * kRadius);
       const Motion motion = setting.model->motion(pair_at(r), {}, {});
@@ -85,8 +85,7 @@ TEST(TwoColloids, FollowALinearFlowAsBatchelorAndGreen) {
       const Vec3 er = linear_flow(kMiddle + r, 0.0).velocity - cross(spin, r);
       const StrainHindrance f = series.at(gap);
       const Vec3 along = n * dot(er, n);
-      const Vec3 expected =
-          cross(spin, r) + er - along * f.a - (er - along) * f.b;
+      const Vec3 expected = cross(spin, r) + er - along * f.a - (er - along) * f.b;
       const Vec3 relative = motion.velocity[0] - motion.velocity[1];
       EXPECT_LT(norm(relative - expected), 1e-12 * kRadius) << gap;
       EXPECT_LT(norm(motion.velocity[0] + motion.velocity[1]), 1e-12 * kRadius);
@@ -169,10 +168,10 @@ TEST(TwoColloids, PassInShearOnTheExactTrajectory) {
       } while (r.x < -kFrom);
       const double gap_error = std::abs(least / exact.least_gap - 1.0);
       const double height_error = std::abs(r.z - offset);
-      std::printf("offset %g, tolerance %g: least gap %.4e (exact %.4e), height after "
-                  "%.5f, %ld steps\n",
-                  offset, tolerance, least, exact.least_gap, r.z,
-                  integrator.counts().steps);
+      std::printf(
+          "offset %g, tolerance %g: least gap %.4e (exact %.4e), height after "
+          "%.5f, %ld steps\n",
+          offset, tolerance, least, exact.least_gap, r.z, integrator.counts().steps);
       // README: a relative error of `tolerance` per step while the gap is small, and
       // what lies between steps at the least gap, 1e-3 of it.
       EXPECT_LT(gap_error,

@@ -93,11 +93,12 @@ TEST(Realisation, LosesNoColloid) {
       EXPECT_LE(r.series[n].critical_diameter, r.series[n - 1].critical_diameter);
       EXPECT_GT(r.series[n].time, r.series[n - 1].time);
     }
-    std::printf("seed %lu: injected %ld, retained %ld, traversed %ld, mobile %ld; %g "
-                "steps, %g overlaps of at most %.1e m\n",
-                static_cast<unsigned long>(seed), r.counts.injected, r.counts.retained,
-                r.counts.traversed, r.counts.mobile, named(r, "steps"),
-                named(r, "overlaps"), named(r, "deepest_overlap_m"));
+    std::printf(
+        "seed %lu: injected %ld, retained %ld, traversed %ld, mobile %ld; %g "
+        "steps, %g overlaps of at most %.1e m\n",
+        static_cast<unsigned long>(seed), r.counts.injected, r.counts.retained,
+        r.counts.traversed, r.counts.mobile, named(r, "steps"), named(r, "overlaps"),
+        named(r, "deepest_overlap_m"));
     EXPECT_GT(r.counts.retained, 2);
     EXPECT_EQ(named(r, "overlaps"), 0.0);
     // No two retained colloids overlap, and none overlaps a grain.

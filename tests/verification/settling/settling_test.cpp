@@ -53,8 +53,8 @@ TEST(Settling, TakesTheTimeOfBrennersResistance) {
   OneWayOptions options = hindered(1e-3 * kRadius);
   options.weight = {0.0, 0.0, -1e-13};
   const double speed = 1e-13 / kDrag;
-  const cases::Setting setting(options, cases::at_rest,
-                               cases::box_on_wall(1e-4, 1e-4), {});
+  const cases::Setting setting(options, cases::at_rest, cases::box_on_wall(1e-4, 1e-4),
+                               {});
   constexpr double kFrom = 5.0;
   double last = 0.0;
   for (double tolerance : {1e-3, 1e-5}) {
@@ -68,8 +68,7 @@ TEST(Settling, TakesTheTimeOfBrennersResistance) {
       if (gap < 2e-3) {
         break;
       }
-      const double error =
-          time * speed / kRadius - settling_time(kFrom, gap);
+      const double error = time * speed / kRadius - settling_time(kFrom, gap);
       worst = std::max(worst, std::abs(error));
       // README: each step may err by `tolerance` times the gap, or a where that is less,
       // at the speed U_0/f_n: at most f_n(a) in time; the fit of f_n 3e-7.
@@ -105,9 +104,9 @@ AmbientMotion shear(const Vec3& x, double) {
 TEST(ShearNearWall, FreeSpeedIsThePublishedOne) {
   const cases::Setting setting(hindered(1e-6 * kRadius), shear,
                                cases::box_on_wall(1e-4, 1e-3), {});
-  for (const ShearRow& row : {ShearRow{10.0677, 0.99970}, ShearRow{3.7622, 0.99436},
-                              ShearRow{1.5431, 0.92187}, ShearRow{1.1276, 0.7669},
-                              ShearRow{1.005004, 0.4786}}) {
+  for (const ShearRow& row :
+       {ShearRow{10.0677, 0.99970}, ShearRow{3.7622, 0.99436}, ShearRow{1.5431, 0.92187},
+        ShearRow{1.1276, 0.7669}, ShearRow{1.005004, 0.4786}}) {
     const double z = row.height * kRadius;
     const std::vector<RigidBody> bodies{cases::colloid_at({5e-5, 5e-5, z})};
     const Motion motion = setting.model->motion(bodies, {}, {});
@@ -186,8 +185,7 @@ TEST(HeldBesideSphere, FeelsWhatBothFeelMovingAsOne) {
         const cases::Setting setting(hindered(1e-3 * kRadius), flow,
                                      cases::wide_box(1e-3), {{centre, b}});
         const Vec3 x = centre + n * (kRadius + b + gap * kRadius);
-        const BodyWrench held =
-            setting.model->held_wrenches({cases::colloid_at(x)})[0];
+        const BodyWrench held = setting.model->held_wrenches({cases::colloid_at(x)})[0];
         const double xi = 2.0 * gap / (1.0 + ratio);
         const PairResistance r = exact.at(xi);
         const double mean = 0.5 * (1.0 + ratio);
@@ -196,13 +194,11 @@ TEST(HeldBesideSphere, FeelsWhatBothFeelMovingAsOne) {
             (along * (r.xa11 + mean * r.xa12) + (u - along) * (r.ya11 + mean * r.ya12)) *
             kDrag;
         // T_1 = pi mu [(2a)^2 yb11 + (a + b)^2 yb12] U x d, d = -n.
-        const Vec3 torque =
-            cross(u, n) * (-kPi * cases::kMu * kRadius * kRadius *
-                           (4.0 * r.yb11 + 4.0 * mean * mean * r.yb12));
+        const Vec3 torque = cross(u, n) * (-kPi * cases::kMu * kRadius * kRadius *
+                                           (4.0 * r.yb11 + 4.0 * mean * mean * r.yb12));
         // Each function is good to 1e-4 of itself; they nearly cancel at contact.
         const double f_bound =
-            1e-4 * kDrag * norm(u) *
-            (r.xa11 + mean * std::abs(r.xa12) + 1.0);
+            1e-4 * kDrag * norm(u) * (r.xa11 + mean * std::abs(r.xa12) + 1.0);
         const double t_bound = 1e-4 * 4.0 * kPi * cases::kMu * kRadius * kRadius *
                                norm(u) *
                                (1.0 + std::abs(r.yb11) + mean * mean * std::abs(r.yb12));
