@@ -1,4 +1,5 @@
-// How surfaces nearby slow a colloid down.                                 MODEL (P2)-(P6)
+// How surfaces nearby slow a colloid down.                                 MODEL
+// (P2)-(P6)
 //
 // Every near surface acts as if it were alone with the colloid, and their effects are
 // added (Ganatos, Weinbaum & Pfeffer 1980 measured how well that does between two walls):
@@ -76,5 +77,10 @@ class EqualPairHindrance {
 /// Spheres act up to this gap over a, with a weight that falls from 1 at half of it.
 constexpr double kHindranceReach = 4.0;
 double hindrance_weight(double gap_over_radius);
+/// The same as a distance from the surface to the colloid's centre: what FixedSurfaces
+/// must reach, or hindrance would set in with a jump [m].
+inline double hindrance_range(double radius) {
+  return (1.0 + kHindranceReach) * radius;
+}
 
 }  // namespace colloid

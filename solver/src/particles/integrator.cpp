@@ -33,8 +33,8 @@ Vec3 turn_rate(const Vec3& theta, const Vec3& w) {
 }
 
 std::vector<RigidBody> displaced(const std::vector<RigidBody>& bodies,
-                            const std::vector<Vec3>& shift,
-                            const std::vector<Vec3>& turn) {
+                                 const std::vector<Vec3>& shift,
+                                 const std::vector<Vec3>& turn) {
   std::vector<RigidBody> out = bodies;
   for (std::size_t b = 0; b < out.size(); ++b) {
     displace(out[b], shift[b], turn[b]);
@@ -80,7 +80,8 @@ void Integrator::take_velocities(std::vector<RigidBody>& bodies) const {
   }
 }
 
-// Error over the tolerance: of the position over a, along near normals over the gap.
+// Error over the tolerance: of the position over a, along near normals and towards near
+// colloids over the gap.
 double Integrator::error_of(const std::vector<RigidBody>& bodies,
                             const std::vector<Vec3>& shift,
                             const std::vector<Vec3>& turn) const {
@@ -96,11 +97,23 @@ double Integrator::error_of(const std::vector<RigidBody>& bodies,
         if (!is_surface(surfaces_.box(), surface.id)) {
           continue;
         }
-        const double touching =
-            contact_gap(options_.rules, surfaces_.box(), surface.id);
+        const double touching = contact_gap(options_.rules, surfaces_.box(), surface.id);
         const double gap = std::max(surface.distance - a, touching);
         if (gap < a && gap > 0.0) {
           worst = std::max(worst, std::abs(dot(error, surface.normal)) / gap);
+        }
+      }
+      for (std::size_t other = b + 1; other < bodies.size(); ++other) {
+        for (std::size_t om = 0; om < bodies[other].size(); ++om) {
+          const Vec3 e = shortest(surfaces_.box(), bodies[b].position(m),
+                                  bodies[other].position(om));
+          const double r = norm(e);
+          const double gap = std::max(r - 2.0 * a, options_.rules.colloid_gap);
+          if (gap < a && gap > 0.0) {
+            const Vec3 apart =
+                error - shift[other] - cross(turn[other], bodies[other].arms[om]);
+            worst = std::max(worst, std::abs(dot(apart, e)) / (r * gap));
+          }
         }
       }
     }
@@ -177,12 +190,10 @@ double Integrator::least_event(const std::vector<RigidBody>& bodies) const {
     for (std::size_t m = 0; m < bodies[b].size(); ++m) {
       const Vec3 x = bodies[b].position(m);
       const double exit_tolerance = kContactTolerance * a;
-      least = std::min(least,
-                       distance_to_exit(surfaces_.box(), x, a) / exit_tolerance);
+      least = std::min(least, distance_to_exit(surfaces_.box(), x, a) / exit_tolerance);
       surfaces_.near(x, near);
       for (const NearSurface& surface : near) {
-        const double touching =
-            contact_gap(options_.rules, surfaces_.box(), surface.id);
+        const double touching = contact_gap(options_.rules, surfaces_.box(), surface.id);
         const double margin = surface.distance - a - touching;
         if (margin < a && !in_contact(b, m, surface.id)) {
           least = std::min(least, margin / contact_tolerance(touching, a));
@@ -222,7 +233,10 @@ double Integrator::event_within(const std::vector<RigidBody>& begin, const Trial
   }
   // A chord of length s dips below its ends by at most s^2/(8 R), R >= a.
   const double dip = farthest * farthest / (4.0 * options_.radius);
-  const double finest = contact_tolerance(options_.rules.colloid_gap, options_.radius);
+  // In units of the finest tolerance: that of the grains may be below that of colloids.
+  const ContactRules& rules = options_.rules;
+  const double finest = contact_tolerance(
+      std::min({rules.grain_gap, rules.colloid_gap, rules.wall_gap}), options_.radius);
   if (std::min(at_end, least_event(begin)) * finest > dip && passed == kNone) {
     return kNone;
   }
@@ -296,8 +310,7 @@ double Integrator::travel_limit(const Motion& motion,
   double fastest = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (const Vec3& arm : bodies[b].arms) {
-      fastest =
-          std::max(fastest, norm(motion.velocity[b] + cross(motion.spin[b], arm)));
+      fastest = std::max(fastest, norm(motion.velocity[b] + cross(motion.spin[b], arm)));
     }
   }
   return fastest > 0.0 ? options_.most_travel * options_.radius / fastest
@@ -323,10 +336,12 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   if (!fresh_) {
     refresh(bodies);
   }
+  // Of the motion without thermal forces: a step that depends on the draws would cut off
+  // the long ones.
+  double step = std::min(longest, travel_limit(motion_, bodies));
   if (forcing) {
     motion_ = evaluate(bodies, forcing);
   }
-  double step = std::min(longest, travel_limit(motion_, bodies));
   if (forcing) {
     step = std::min(step, forcing->step);
   } else if (next_step_ > 0.0) {
@@ -335,8 +350,7 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   Trial trial;
   for (int rejection = 0;; ++rejection) {
     trial = attempt(bodies, step, forcing);
-    const double factor =
-        kSafety * std::pow(std::max(trial.error, 1e-6), -1.0 / 3.0);
+    const double factor = kSafety * std::pow(std::max(trial.error, 1e-6), -1.0 / 3.0);
     if (forcing || trial.error <= 1.0) {
       // A step cut short by `longest` says little about the next one.
       if (step < longest || factor < 1.0) {
@@ -356,7 +370,7 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   if (std::isfinite(passed)) {
     ++counts_.located;
     if (!locate(bodies, 0.0, passed * step, forcing, trial, step)) {
-      fresh_ = false;
+      refresh(bodies);
       return 0.0;
     }
   }
@@ -365,8 +379,9 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   motion_ = std::move(trial.end);
   // Velocities at the end of the step hold on if nothing there is corrected or new.
   const bool loose = contacts_.empty() && !forcing &&
-                     std::all_of(bodies.begin(), bodies.end(),
-                                 [](const RigidBody& body) { return body.bonds.empty(); });
+                     std::all_of(bodies.begin(), bodies.end(), [](const RigidBody& body) {
+                       return body.bonds.empty();
+                     });
   settle(bodies);
   count_overlaps(bodies);
   if (loose && find_touches(bodies, surfaces_, options_.rules, options_.radius).empty()) {

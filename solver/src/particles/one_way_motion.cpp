@@ -1,6 +1,7 @@
 #include "particles/one_way_motion.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/constants.h"
@@ -54,6 +55,7 @@ OneWayMotion::OneWayMotion(const OneWayOptions& options, const AmbientFlow& flow
       flow_(flow),
       surfaces_(surfaces) {
   if (options.wall_hindrance) {
+    assert(surfaces.reach() >= hindrance_range(options.radius));
     std::vector<double> radii = grain_radii;
     radii.push_back(options.radius);  // retained colloids
     wall_hindrance_ = std::make_unique<SurfaceHindrance>(options.radius, radii);
@@ -132,7 +134,8 @@ void OneWayMotion::add_pairs(const std::vector<RigidBody>& bodies, Assembly& out
   }
 }
 
-void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies, Assembly& out) const {
+void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies,
+                                Assembly& out) const {
   const double a = options_.radius;
   const Box& box = surfaces_.box();
   std::vector<NearSurface> near;
@@ -140,8 +143,8 @@ void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies, Assembly& 
     const auto b = static_cast<std::size_t>(member.body);
     HeldColloid held = isolated(member.ambient, a);
     held.drive.head<3>() += eigen(options_.weight) / drag_;
-    const bool forces = options_.grain_forces || options_.wall_forces ||
-                        options_.colloid_forces;
+    const bool forces =
+        options_.grain_forces || options_.wall_forces || options_.colloid_forces;
     if (wall_hindrance_ || forces) {
       surfaces_.near(member.position, near);
       for (const NearSurface& surface : near) {
@@ -170,7 +173,8 @@ void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies, Assembly& 
   }
 }
 
-OneWayMotion::Assembly OneWayMotion::assemble(const std::vector<RigidBody>& bodies) const {
+OneWayMotion::Assembly OneWayMotion::assemble(
+    const std::vector<RigidBody>& bodies) const {
   Assembly out;
   out.members = members_of(bodies);
   out.systems.resize(bodies.size());

@@ -16,8 +16,6 @@ namespace colloid {
 
 namespace {
 
-constexpr double kStepTolerance = 1e-3;
-
 Vec3 weight_in_liquid(const Scene& scene) {
   const double a = 0.5 * scene.colloids->diameter;
   const double volume = 4.0 / 3.0 * kPi * a * a * a;
@@ -35,9 +33,10 @@ Regime regime_of(const Scene& scene, const DepositFlow& flow) {
 
 void refuse_inertia(const Regime& regime) {
   require(!regime.colloids->models.inertia.needed, "/fidelity/tier", [&] {
-    return fmt::format("the tier one_way neglects inertia, but {}; expected "
-                       "\"transient\" or a slower flow",
-                       regime.colloids->models.inertia.reason);
+    return fmt::format(
+        "the tier one_way neglects inertia, but {}; expected "
+        "\"transient\" or a slower flow",
+        regime.colloids->models.inertia.reason);
   });
 }
 
@@ -59,7 +58,7 @@ std::optional<Realisation> run_one_way(const Scene& scene, const RunOptions& opt
   const double a = 0.5 * scene.colloids->diameter;
   const double drag = stokes_drag(scene.fluid.viscosity, a, inlet.mean_speed);
   const SurfaceModel contacts = make_surface_model(scene, drag);
-  FixedSurfaces surfaces(scene.geometry.box, scene.geometry.spheres, kHindranceReach * a);
+  FixedSurfaces surfaces(scene.geometry.box, scene.geometry.spheres, hindrance_range(a));
 
   OneWayOptions motion;
   motion.radius = a;
@@ -80,8 +79,11 @@ std::optional<Realisation> run_one_way(const Scene& scene, const RunOptions& opt
     radii.push_back(grain.radius);
   }
   const OneWayMotion model(motion, flow, surfaces, radii);
-  LoopParts parts{flow, surfaces, model, contacts, plan, inlet.mean_speed, false,
-                  kStepTolerance, "one_way", models.inertia.reason};
+  LoopParts parts{flow,      surfaces,
+                  model,     contacts,
+                  plan,      inlet.mean_speed,
+                  false,     options.step_tolerance,
+                  "one_way", models.inertia.reason};
   parts.brownian = models.brownian.needed;
   return TimeLoop(scene, options, parts).run();
 }

@@ -10,8 +10,8 @@ namespace colloid {
 
 /// Where a run is.
 struct Progress {
-  double time = 0.0;               ///< simulated [s]
-  double duration = 0.0;           ///< to be simulated [s]
+  double time = 0.0;      ///< simulated [s]
+  double duration = 0.0;  ///< to be simulated [s]
   long retained = 0;
   double critical_diameter = 0.0;  ///< l_c [m]
 };
@@ -21,7 +21,8 @@ struct RunOptions {
   std::string tier_reason;             ///< asked for, or chosen: for the record
   std::string checkpoint;              ///< file; empty: none
   double checkpoint_interval = 600.0;  ///< of wall time [s]
-  int threads = 1;                     ///< of the flow solver; results do not depend on it
+  int threads = 1;               ///< of the flow solver; results do not depend on it
+  double step_tolerance = 1e-3;  ///< error of a colloid's step over its radius or gap [-]
   const std::atomic<bool>* stop = nullptr;  ///< set by a signal: write a checkpoint, end
   std::function<void(const Progress&)> progress;  ///< called after every step
 };

@@ -80,8 +80,7 @@ TimeLoop::TimeLoop(const Scene& scene, const RunOptions& options, const LoopPart
     for (int n = 0; n <= kEscapePushes; ++n) {
       const double push = grain.analysis.largest_repulsion.force * n / kEscapePushes;
       conditions.force_towards = push;
-      const double time =
-          barrier_escape(grain.forces, grain.analysis, conditions).time;
+      const double time = barrier_escape(grain.forces, grain.analysis, conditions).time;
       escape_rates_.emplace_back(push, 1.0 / time);
     }
   }
@@ -189,7 +188,7 @@ void TimeLoop::step() {
   if (longest > 0.0) {
     std::optional<Forcing> forcing;
     if (parts_.brownian && !s.bodies.empty()) {
-      forcing = thermal_forcing();
+      forcing = thermal_forcing(longest);
       ++s.thermal_steps;
     }
     taken = integrator_.advance(s.bodies, longest, forcing);
@@ -424,6 +423,9 @@ bool TimeLoop::handle_broken_bonds() {
         const double gap = parts_.contacts.rules.colloid_gap;
         displace(body, normal * (2.0 * contact_tolerance(gap, radius_)), {});
         body.bonds.erase(body.bonds.begin() + static_cast<std::ptrdiff_t>(n));
+        if (!body.attached()) {
+          body.members.front().contact_time = kNotYet;
+        }
         ++state_.bonds_broken;
         integrator_.refresh(state_.bodies);
         return true;
@@ -469,9 +471,13 @@ void TimeLoop::handle_rest() {
   const double wait = kRestTravel * radius_ / limit;
   for (std::size_t b = 0; b < state_.bodies.size() && !over_; ++b) {
     RigidBody& body = state_.bodies[b];
-    const auto touching = std::count_if(
-        integrator_.contacts().begin(), integrator_.contacts().end(),
-        [&](const Contact& c) { return c.body == static_cast<int>(b); });
+    const auto touching =
+        std::count_if(integrator_.contacts().begin(), integrator_.contacts().end(),
+                      [&](const Contact& c) {
+                        // The inlet's plane holds back, but nothing can wedge against it.
+                        return c.body == static_cast<int>(b) &&
+                               is_surface(parts_.surfaces.box(), c.fixed);
+                      });
     double fastest = 0.0;
     for (std::size_t m = 0; m < body.size(); ++m) {
       fastest = std::max(fastest, norm(body.velocity_of(m)));
@@ -558,15 +564,15 @@ void TimeLoop::observe(DepositBatch batch, bool solve) {
   }
 }
 
-// Wrenches for a step in which heat moves nothing by more than a tenth of its gap or
-// radius.
-Forcing TimeLoop::thermal_forcing() const {
+// Wrenches for a step of at most `longest` in which heat moves nothing by more than a
+// tenth of its gap or radius.  Their strength depends on the step's length.
+Forcing TimeLoop::thermal_forcing(double longest) const {
   const double kT = parts_.contacts.grain.forces.thermal_energy();
   const double drag = 6.0 * kPi * scene_.fluid.viscosity * radius_;
   const double diffusivity = kT / drag;
   const double reach = kThermalTravel * radius_;
   Forcing forcing;
-  forcing.step = 0.5 * reach * reach / diffusivity;
+  forcing.step = std::min(longest, 0.5 * reach * reach / diffusivity);
   std::vector<NearSurface> near;
   double fastest = 0.0;
   for (const RigidBody& body : state_.bodies) {
@@ -577,9 +583,8 @@ Forcing TimeLoop::thermal_forcing() const {
         const double gap = surface.distance - radius_;
         if (gap > 0.0 && gap < radius_ && scene_.fidelity.hindrance != Hindrance::none) {
           // Diffusion along the normal slows down like h/a.
-          forcing.step = std::min(
-              forcing.step, 0.5 * kThermalTravel * kThermalTravel * gap * radius_ /
-                                diffusivity);
+          forcing.step = std::min(forcing.step, 0.5 * kThermalTravel * kThermalTravel *
+                                                    gap * radius_ / diffusivity);
         }
       }
     }
@@ -592,17 +597,15 @@ Forcing TimeLoop::thermal_forcing() const {
     Vector6 six;
     for (int pair = 0; pair < kPairsPerBody; ++pair) {
       const auto draws = random_.normal_pair(
-          {RandomPurpose::brownian,
-           static_cast<std::uint32_t>(body.members.front().id),
+          {RandomPurpose::brownian, static_cast<std::uint32_t>(body.members.front().id),
            static_cast<std::uint64_t>(kPairsPerBody * state_.thermal_steps + pair)});
       six[2 * pair] = draws[0];
       six[2 * pair + 1] = draws[1];
     }
     normals.push_back(six);
   }
-  forcing.wrenches = parts_.motion.thermal_wrenches(state_.bodies, normals,
-                                                    scene_.fluid.temperature,
-                                                    forcing.step);
+  forcing.wrenches = parts_.motion.thermal_wrenches(
+      state_.bodies, normals, scene_.fluid.temperature, forcing.step);
   return forcing;
 }
 

@@ -1,4 +1,5 @@
-// One realisation from the first injection to its end.                      MODEL section P
+// One realisation from the first injection to its end.                      MODEL section
+// P
 //
 // The loop is the same for every tier of this program; a tier brings the motion of the
 // colloids and the flow around the deposit.
@@ -63,7 +64,7 @@ class TimeLoop {
   void arrest(std::size_t body, std::size_t member);
   void observe(DepositBatch batch, bool solve);
   double escape_rate(double push) const;
-  Forcing thermal_forcing() const;
+  Forcing thermal_forcing(double longest) const;
   void record();
   SeriesRow series_row() const;
   Frame frame() const;
