@@ -1,5 +1,4 @@
-// How surfaces nearby slow a colloid down.                                 MODEL
-// (P2)-(P6)
+// How surfaces nearby slow a colloid down.                              MODEL (P2)-(P6)
 //
 // Every near surface acts as if it were alone with the colloid, and their effects are
 // added (Ganatos, Weinbaum & Pfeffer 1980 measured how well that does between two walls):

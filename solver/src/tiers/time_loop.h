@@ -1,5 +1,4 @@
-// One realisation from the first injection to its end.                      MODEL section
-// P
+// One realisation from the first injection to its end.                   MODEL section P
 //
 // The loop is the same for every tier of this program; a tier brings the motion of the
 // colloids and the flow around the deposit.
