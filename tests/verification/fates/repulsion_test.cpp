@@ -122,7 +122,7 @@ TEST(Repulsion, GivesWayToAPushBeyondItsLargest) {
     scene.gravity = {0.0, 0.0, -push * repulsion / mass};
     const Realisation r =
         cases::run_from(scene, {{released_at({30e-6, 30e-6, 55e-6})}, {}});
-    EXPECT_EQ(r.retained.size(), push > 1.0 ? 1u : 0u) << push;
+    ASSERT_EQ(r.retained.size(), push > 1.0 ? 1u : 0u) << push;
     if (push > 1.0) {
       EXPECT_EQ(r.retained.front().mechanism, Mechanism::attachment_to_grain);
       EXPECT_NEAR(r.retained.front().alpha_deg, 90.0, 0.1);
@@ -173,7 +173,7 @@ TEST_F(Bond, BreaksAboveItsPullOffAndNotBelow) {
     ASSERT_NEAR(contacts_of(scene_).colloid.pull_off, strength * load, 1e-6 * load);
     const Realisation r = run();
     const bool holds = strength > 1.0;
-    EXPECT_EQ(r.retained.size(), holds ? 1u : 0u);
+    ASSERT_EQ(r.retained.size(), holds ? 1u : 0u);
     EXPECT_EQ(r.counts.traversed, holds ? 0 : 1);
     if (holds) {
       EXPECT_NEAR(r.retained[0].bond_load, load, 1e-3 * load);
