@@ -29,7 +29,7 @@ struct Ensemble {
   std::string scene_hash;  ///< of the scene without its remark
 };
 
-struct Plan {
+struct Plan {  // NOLINT(bugprone-exception-escape): as above
   std::string campaign;
   std::string description;
   std::string master_seed;
