@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Injures the orchestrator and records the counts: results/evidence/reliability/README.md.
-# Usage: scripts/reliability.sh [KILLS]   (default 1000; needs the release build)
+# Usage: [PRESET=release] scripts/reliability.sh [KILLS]   (default 1000)
 set -eu
 cd "$(dirname "$0")/.."
 kills=${1:-1000}
-cmake --preset release >/dev/null
-cmake --build --preset release --target poreclog fake_solver fake_clock -j "$(nproc)" >/dev/null
-build=$PWD/build/release
+preset=${PRESET:-release}
+cmake --preset "$preset" >/dev/null
+cmake --build --preset "$preset" --target poreclog fake_solver fake_clock -j "$(nproc)" >/dev/null
+build=$PWD/build/$preset
 export PORECLOG=$build/orchestrator/poreclog FAKE_SOLVER=$build/tests/anomaly/fake_solver
 export FAKE_CLOCK=$build/tests/anomaly/libfake_clock.so
 out=results/evidence/reliability
@@ -33,7 +34,7 @@ python3 tests/anomaly/injury_test.py -v >"$log" 2>&1 || { cat "$log"; exit 1; }
   sed -n 's/^\(test_[a-z_]*\) (__main__\.\([A-Za-z]*\)\..*) \.\.\. \(.*\)$/\2 \1: \3/p' "$log" |
     sed 's/ test_/ /; s/_/ /g; s/^/- /'
   echo
-  echo "- command: \`scripts/reliability.sh $kills\`"
+  echo "- command: \`PRESET=$preset scripts/reliability.sh $kills\`"
   echo "- program: $("$PORECLOG" --version)"
   echo "- machine: $(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
   echo "- load before the run: $load"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the orchestrator itself costs, and how it grows: results/evidence/scale/README.md.
-# Usage: scripts/scale.sh [REALISATIONS] [JOBS]   (defaults 100000 and 1000; release build)
+# Usage: [PRESET=release] scripts/scale.sh [REALISATIONS] [JOBS]   (defaults 100000, 1000)
 #   - JOBS realisations of a solver that only writes its file, beside GNU parallel --joblog
 #     running the same commands (if it is installed);
 #   - REALISATIONS results of 500 output times in one database: rate, size, memory, and the
@@ -9,9 +9,10 @@ set -eu
 cd "$(dirname "$0")/.."
 realisations=${1:-100000}
 jobs=${2:-1000}
-cmake --preset release >/dev/null
-cmake --build --preset release --target poreclog fake_solver -j "$(nproc)" >/dev/null
-build=$PWD/build/release
+preset=${PRESET:-release}
+cmake --preset "$preset" >/dev/null
+cmake --build --preset "$preset" --target poreclog fake_solver -j "$(nproc)" >/dev/null
+build=$PWD/build/$preset
 poreclog=$build/orchestrator/poreclog
 export PORECLOG_SOLVER=$build/tests/anomaly/fake_solver FAKE_ROWS=500
 out=$PWD/results/evidence/scale
@@ -102,7 +103,7 @@ size=$(stat -c %s results/poreclog.sqlite)
   "$poreclog" status many --json >answer
   echo "| status | 1 | $(ratio %.2f "$(now)-$begin") |"
   echo
-  echo "- command: \`scripts/scale.sh $realisations $jobs\`"
+  echo "- command: \`PRESET=$preset scripts/scale.sh $realisations $jobs\`"
   echo "- program: $("$poreclog" --version)"
   echo "- machine: $(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
   echo "- load before the run: $load (times are too long if other programs were running)"

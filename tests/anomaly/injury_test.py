@@ -337,6 +337,14 @@ class Database(orchestrator.Bench):
         self.poreclog("repair", "--force")
         self.assertEqual(len(list(self.folder.glob("db.sqlite.before-*Z"))), 1)
 
+    def test_may_be_large(self):
+        self.poreclog("run", self.write())
+        with sqlite3.connect(self.database) as db:
+            db.execute("CREATE TABLE large AS SELECT zeroblob(300000000) AS bytes")
+        self.poreclog("query", "c", "progress")
+        self.poreclog("show", "c", 0, 0)
+        self.poreclog("check", self.folder / "c.json")
+
     def test_is_only_read_by_query(self):
         self.poreclog("run", self.write())
         before = self.content()

@@ -38,7 +38,9 @@ class Kill(orchestrator.Bench):
                                   limits={"attempts": 1000, "workers": 3})
             kills += self.disturb(campaign, moments, KILLS - kills, fake)
             before = self.ingested()
-            self.poreclog("resume", campaign, **fake)
+            # killed before it had written anything, there is nothing to resume
+            begun = (self.runs / "c/campaign.json").exists()
+            self.poreclog("resume" if begun else "run", campaign, **fake)
             self.assertEqual(self.ask("SELECT count(*) FROM v_realisation WHERE status ="
                                       " 'ingested'"), [(24,)])
             lost += max(0, before - 24)

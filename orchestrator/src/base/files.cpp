@@ -98,6 +98,11 @@ std::optional<std::string> read_if_there(const std::string& path) {
   return text;
 }
 
+bool is_file(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 void write_whole(const std::string& path, const std::string& text, bool durable) {
   const std::string part = fmt::format("{}.{}.part", path, ::getpid());
   int error = write_content(part, text, durable);

@@ -12,6 +12,9 @@ std::string read_text_file(const std::string& path);
 /// The content of one of our own files; none if there is no such file.
 std::optional<std::string> read_if_there(const std::string& path);
 
+/// Is there a file of that name?
+bool is_file(const std::string& path);
+
 /// Writes `text` to a temporary name, then renames it over `path`: a reader sees the old
 /// content or the new.  `durable` waits for the disk.  StorageError if it fails.
 void write_whole(const std::string& path, const std::string& text, bool durable);

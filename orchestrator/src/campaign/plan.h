@@ -13,6 +13,8 @@
 namespace colloid {
 
 /// One combination of varied values.
+// The library's move constructor checks an invariant that cannot fail.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 struct DesignPoint {
   int number = 0;         ///< in order of first appearance; for people
   std::string hash;       ///< of `values`: what identifies it
@@ -27,7 +29,7 @@ struct Ensemble {
   std::string scene_hash;  ///< of the scene without its remark
 };
 
-struct Plan {
+struct Plan {  // NOLINT(bugprone-exception-escape): as above
   std::string campaign;
   std::string description;
   std::string master_seed;

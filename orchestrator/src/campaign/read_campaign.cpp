@@ -45,9 +45,9 @@ void check_statistics(const json& value) {
 
 /// An unsigned integer of 64 bits, as text: doubles, and many readers of JSON, hold 53.
 std::string seed_text(const json& value) {
-  const std::string text = value.is_string()            ? value.get<std::string>()
-                           : value.is_number_unsigned() ? value.dump()
-                                                        : "";
+  std::string text = value.is_string()            ? value.get<std::string>()
+                     : value.is_number_unsigned() ? value.dump()
+                                                  : "";
   const bool digits = !text.empty() && text.size() <= 20 &&
                       text.find_first_not_of("0123456789") == std::string::npos &&
                       (text == "0" || text[0] != '0');

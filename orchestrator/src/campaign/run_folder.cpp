@@ -96,8 +96,8 @@ std::string attempt_folder(const std::string& realisation_folder, int number) {
 std::vector<std::string> campaigns_in(const std::string& runs) {
   std::vector<std::string> names;
   for (const std::string& name : names_in(runs)) {
-    if (is_campaign_name(name) &&
-        std::filesystem::exists(runs + "/" + name + "/campaign.json")) {
+    const std::filesystem::path folder = std::filesystem::path(runs) / name;
+    if (is_campaign_name(name) && std::filesystem::exists(folder / "campaign.json")) {
       names.push_back(name);
     }
   }

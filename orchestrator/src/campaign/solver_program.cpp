@@ -59,7 +59,7 @@ json SolverProgram::describe(const std::vector<std::string>& options) const {
     why = name == std::string::npos ? why : why.substr(name + 2);
     throw InputError("scene", why);
   }
-  const json parsed = json::parse(output.out, nullptr, false);
+  json parsed = json::parse(output.out, nullptr, false);
   require(output.exit_code == 0 && parsed.is_object(), path_,
           fmt::format("`describe` ended with {} and did not print a JSON object: {}",
                       output.exit_code, output.err.substr(0, output.err.find('\n'))));

@@ -48,7 +48,7 @@ struct Past {
 
 Past past_of(const Plan& plan, const Ensemble& ensemble, const std::string& path) {
   Past past;
-  if (!read_if_there(path)) {
+  if (!is_file(path)) {
     return past;
   }
   const Database database(path, Database::Access::read_only);

@@ -1,10 +1,9 @@
 #include "commands/open_campaign.h"
 
-#include <filesystem>
-
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "campaign/changes.h"
 #include "campaign/expand.h"
@@ -15,20 +14,19 @@ namespace colloid {
 
 namespace {
 
-bool is_file(const std::string& word) {
-  std::error_code ignored;
+bool names_file(const std::string& word) {
   const std::string ending = ".json";
   const bool looks_like_one =
       word.find('/') != std::string::npos ||
       (word.size() > ending.size() &&
        word.compare(word.size() - ending.size(), ending.size(), ending) == 0);
-  return looks_like_one || std::filesystem::is_regular_file(word, ignored);
+  return looks_like_one || is_file(word);
 }
 
 }  // namespace
 
 std::string campaign_name(const std::string& file_or_name) {
-  return is_file(file_or_name) ? read_campaign(file_or_name).name : file_or_name;
+  return names_file(file_or_name) ? read_campaign(file_or_name).name : file_or_name;
 }
 
 Plan stored_plan(const std::string& name, const CommonOptions& options) {
@@ -48,7 +46,7 @@ Plan stored_plan(const std::string& name, const CommonOptions& options) {
 
 OpenedCampaign open_campaign(const std::string& file_or_name,
                              const CommonOptions& options) {
-  if (!is_file(file_or_name)) {
+  if (!names_file(file_or_name)) {
     return {stored_plan(file_or_name, options), true};
   }
   const Campaign campaign = read_campaign(file_or_name);

@@ -155,7 +155,7 @@ class Query : public Command {
     }
     const std::string campaign = words_.size() > 1 ? campaign_name(words_[0]) : "";
     const std::string database = absolute(common_.database);
-    require(read_if_there(database).has_value(), "--database",
+    require(is_file(database), "--database",
             fmt::format("there is no {}", common_.database));
     const QueryResult result = ask(database, statement, campaign);
     std::cout << (common_.json ? json_text(result) : csv_ ? csv(result) : table(result));

@@ -84,7 +84,7 @@ class Show : public Command {
 
   Json rows(const char* view, const Plan& plan, const Ensemble& ensemble) const {
     const std::string database = absolute(common_.database);
-    if (!read_if_there(database)) {
+    if (!is_file(database)) {
       return Json::array();
     }
     const QueryResult result =

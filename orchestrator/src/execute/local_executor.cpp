@@ -151,7 +151,7 @@ std::string host_name() {
 std::string find_keeper() {
   const std::filesystem::path here =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::string path = (here / "poreclog-attempt").string();
+  std::string path = (here / "poreclog-attempt").string();
   require(::access(path.c_str(), X_OK) == 0, path,
           "is not there; it belongs beside poreclog");
   return path;
