@@ -119,7 +119,11 @@ double collected_by_tracking(const StokesSolver& solver, double interception) {
     double outside = 1.0;
     while (outside - inside > 1e-7) {
       const double middle = 0.5 * (inside + outside);
-      (touches(setting, top + aside * (middle * kCollector)) ? inside : outside) = middle;
+      if (touches(setting, top + aside * (middle * kCollector))) {
+        inside = middle;
+      } else {
+        outside = middle;
+      }
     }
     mean += inside * inside * (n == 0 || n == kIntervals ? 0.5 : 1.0) / kIntervals;
   }
