@@ -27,6 +27,21 @@ Vec3 shortest(const Box& box, const Vec3& a, const Vec3& b) {
   return e;
 }
 
+Vec3 wrapped(const Box& box, const Vec3& x) {
+  Vec3 inside = x;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.periodic(axis)) {
+      const double size = box.size[axis];
+      inside[axis] -= size * std::floor(inside[axis] / size);
+      // Just below zero, or a rounded multiple: the sum is rounded too.
+      if (inside[axis] >= size || inside[axis] < 0.0) {
+        inside[axis] = 0.0;
+      }
+    }
+  }
+  return inside;
+}
+
 FixedSurfaces::FixedSurfaces(const Box& box, const std::vector<Sphere>& grains,
                              double reach)
     : box_(box), reach_(reach) {

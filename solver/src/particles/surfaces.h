@@ -67,4 +67,7 @@ class FixedSurfaces {
 /// The shortest vector from b to a, through periodic faces where that is shorter.
 Vec3 shortest(const Box& box, const Vec3& a, const Vec3& b);
 
+/// The image of x in the box: 0 <= x < size along periodic axes, unchanged along others.
+Vec3 wrapped(const Box& box, const Vec3& x);
+
 }  // namespace colloid

@@ -182,7 +182,7 @@ std::vector<RetainedColloid> describe_retention(const RetentionContext& context,
     RetainedColloid colloid;
     colloid.colloid = member.id;
     colloid.contact_time = member.contact_time;
-    colloid.position = body.position(m);
+    colloid.position = wrapped(context.surfaces.box(), body.position(m));
     colloid.injection_position = member.injection_position;
     colloid.injection_time = member.injection_time;
     judge(context, body, m, contacts, held, colloid);

@@ -304,8 +304,9 @@ void TimeLoop::bond(RigidBody& body, const Touch& touch) {
   }
 }
 
-void TimeLoop::merge(std::size_t a, std::size_t b) {
-  RigidBody& first = state_.bodies[a];
+void TimeLoop::merge(const Contact& contact) {
+  const auto b = static_cast<std::size_t>(contact.other_body);
+  RigidBody& first = state_.bodies[static_cast<std::size_t>(contact.body)];
   RigidBody& second = state_.bodies[b];
   for (RigidBody* body : {&first, &second}) {
     for (MobileColloid& member : body->members) {
@@ -314,8 +315,10 @@ void TimeLoop::merge(std::size_t a, std::size_t b) {
       }
     }
   }
-  const Vec3 e = first.centre - second.centre;
-  const Vec3 shift = e - shortest(parts_.surfaces.box(), first.centre, second.centre);
+  // The image that touches; of two long bodies the centres may be nearer by another.
+  const Vec3 from = first.position(static_cast<std::size_t>(contact.member));
+  const Vec3 to = second.position(static_cast<std::size_t>(contact.other_member));
+  const Vec3 shift = from - to - shortest(parts_.surfaces.box(), from, to);
   first = joined(first, second, shift);
   state_.bodies.erase(state_.bodies.begin() + static_cast<std::ptrdiff_t>(b));
 }
@@ -332,7 +335,7 @@ bool TimeLoop::handle_touch() {
     const auto b = static_cast<std::size_t>(touch.contact.body);
     const auto m = static_cast<std::size_t>(touch.contact.member);
     if (touch.contact.other_body >= 0) {
-      merge(b, static_cast<std::size_t>(touch.contact.other_body));
+      merge(touch.contact);
     } else if (touch.contact.fixed.kind == SurfaceId::Kind::colloid) {
       RigidBody& body = state_.bodies[b];
       bond(body, touch);

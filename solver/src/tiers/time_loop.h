@@ -59,7 +59,7 @@ class TimeLoop {
   void handle_exits();
   void handle_rest();
   void bond(RigidBody& body, const Touch& touch);
-  void merge(std::size_t a, std::size_t b);
+  void merge(const Contact& contact);
   void arrest(std::size_t body, std::size_t member);
   void observe(DepositBatch batch, bool solve);
   double escape_rate(double push) const;

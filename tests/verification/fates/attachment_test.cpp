@@ -1,5 +1,7 @@
 // What becomes of colloids placed by hand, favourable surfaces: see README.md beside
 // this file.
+#include <cstdio>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -110,6 +112,48 @@ TEST(Fate, MobileColloidsThatTouchMoveAsOneAndAreRetainedTogether) {
   EXPECT_NEAR(norm(a.position - b.position), norm(high - low), 1e-9 * kRadius);
   EXPECT_EQ(r.t1, a.time);
   expect_conserved(r, 2);
+}
+
+// A chain longer than half of the periodic width, its colloids released where they are in
+// the box: one rigid body whichever face they touch through.
+TEST(Fate, AChainThroughAPeriodicFaceIsRigidAndRestsInTheBox) {
+  Scene scene = cases::one_grain_scene();
+  const double width = 30e-6;
+  scene.geometry.box.size.x = width;
+  scene.geometry.box.faces[x_minus] = FaceCondition::periodic;
+  scene.geometry.box.faces[x_plus] = FaceCondition::periodic;
+  scene.geometry.spheres = {{{15e-6, 30e-6, 30e-6}, 8e-6}};
+  constexpr int kMembers = 8;
+  const double apart = 2.0 * kRadius + 0.999 * kGap;
+  const Vec3 n{0.8, 0.0, 0.6};
+  cases::Start start;
+  for (int id = 0; id < kMembers; ++id) {
+    Vec3 x = Vec3{17e-6, 30e-6, 46e-6} + n * (id * apart);
+    x.x -= x.x < width ? 0.0 : width;
+    start.bodies.push_back(released_at(x, id));
+  }
+  const Realisation r = cases::run_from(scene, start);
+  ASSERT_EQ(r.retained.size(), static_cast<std::size_t>(kMembers));
+  std::vector<Vec3> at(kMembers);
+  for (const RetainedColloid& c : r.retained) {
+    EXPECT_EQ(c.time, r.t1);
+    EXPECT_GE(c.position.x, 0.0) << c.colloid;
+    EXPECT_LT(c.position.x, width) << c.colloid;
+    at[static_cast<std::size_t>(c.colloid)] = c.position;
+  }
+  Vec3 first;
+  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
+    const Vec3 link = shortest(scene.geometry.box, at[k + 1], at[k]);
+    first = k == 0 ? link : first;
+    EXPECT_NEAR(norm(link), apart, 1e-9 * kRadius) << k;
+    EXPECT_NEAR(norm(link - first), 0.0, 1e-8 * kRadius) << k;  // straight
+  }
+  // It turned on its way, or rigidity would show nothing: an image more than where it
+  // belongs would be off by the turn times the width.
+  const double turn = norm(first * (1.0 / apart) - n);
+  std::printf("turned by %.3f\n", turn);
+  EXPECT_GT(turn, 1e-3);
+  expect_conserved(r, kMembers);
 }
 
 // With aggregates off the same two part, or at least do not move as one.
