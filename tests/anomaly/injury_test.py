@@ -168,12 +168,12 @@ class Orchestrator(orchestrator.Bench):
 
     def test_is_cancelled_from_another_terminal(self):
         process = self.start("run", self.write(), SECONDS=3)
-        self.wait_until(self.attempts)
+        self.wait_until(lambda: len(self.attempts()) == 2)
         self.poreclog("cancel", "c")
         self.assertEqual(process.wait(timeout=5), 4)
         self.assertEqual(self.attempts(), [])
         process = self.start("run", self.folder / "c.json", SECONDS=3)
-        self.wait_until(self.attempts)
+        self.wait_until(lambda: len(self.attempts()) == 2)
         process.kill()
         process.wait()
         orphans = json.loads(self.poreclog("cancel", "c", "--json").stdout)

@@ -58,8 +58,8 @@ TEST(InterruptedRun, EndsWithTheSameDatasetsAfterManySignals) {
     int code = -1;
     // Later and later, so that it gets to the end however slow the machine is.
     for (int milliseconds = 50; milliseconds < 60000; milliseconds += milliseconds / 2) {
-      const pid_t child = start({"run", scene, "-o", result, "--seed", "7",
-                                 "--checkpoint", checkpoint});
+      const pid_t child =
+          start({"run", scene, "-o", result, "--seed", "7", "--checkpoint", checkpoint});
       std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
       kill(child, signal);
       code = wait_for(child);
@@ -120,8 +120,8 @@ TEST(InterruptedRun, RefusesTheCheckpointOfAnother) {
   const std::string bytes = content(checkpoint);
   const std::string torn =
       write_temporary("torn.checkpoint", bytes.substr(0, bytes.size() / 2));
-  const Outcome broken = run_program("run " + scene + " -o " + result +
-                                     " --seed 7 --checkpoint " + torn);
+  const Outcome broken =
+      run_program("run " + scene + " -o " + result + " --seed 7 --checkpoint " + torn);
   EXPECT_EQ(broken.exit_code, 2);
   EXPECT_FALSE(exists(result));
 }
@@ -156,8 +156,7 @@ TEST(Run, RefusesWhatItCannotDoBeforeItComputes) {
     const Outcome outcome = run_program("run " + c.arguments);
     EXPECT_EQ(outcome.exit_code, 2) << c.arguments;
     EXPECT_THAT(outcome.err, HasSubstr(c.message)) << c.arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1)
-        << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_FALSE(exists(here));
   }
 }

@@ -23,7 +23,8 @@ with h5py.File(sys.argv[1]) as file:
     layers = sum(series[n][()] for n in ["first_layer", "multilayer", "wall_layer"])
     assert np.array_equal(layers, series["retained"][()])
     assert np.all(series["bonded"][()] <= series["mobile"][()])
-    assert np.all(np.diff(series["critical_diameter_m"][()]) <= 0)
+    # Certified to 1e-9 of the smallest sphere, so it may rise by that much.
+    assert np.all(np.diff(series["critical_diameter_m"][()]) <= 1e-9 * 20e-6)
     retained = file["retained"]
     for name in ["order", "colloid", "time_s", "contact_time_s", "position_m", "layer",
                  "mechanism", "injection_position_m", "injection_time_s", "alpha_deg",

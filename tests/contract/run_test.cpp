@@ -12,8 +12,8 @@ using Json = nlohmann::json;
 TEST(Run, PrintsOneJsonObjectAndWritesTheResult) {
   const std::string scene = write_temporary("run.json", clogging_scene());
   const std::string result = temporary("run.h5");
-  const Outcome outcome =
-      run_program("run " + scene + " -o " + result + " --seed 18446744073709551615 --json");
+  const Outcome outcome = run_program("run " + scene + " -o " + result +
+                                      " --seed 18446744073709551615 --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(json.at("schema_version"), 1);
@@ -30,8 +30,8 @@ TEST(Run, PrintsOneJsonObjectAndWritesTheResult) {
 }
 
 TEST(Run, StopsWhenClogged) {
-  const std::string scene = write_temporary(
-      "stop.json", clogging_scene("2 s", R"("stop_when": "clogged",)"));
+  const std::string scene =
+      write_temporary("stop.json", clogging_scene("2 s", R"("stop_when": "clogged",)"));
   const std::string result = temporary("stop.h5");
   const Outcome outcome = run_program("run " + scene + " -o " + result + " --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

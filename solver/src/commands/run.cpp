@@ -1,7 +1,5 @@
 #include "commands/run.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -13,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "core/random.h"
@@ -81,13 +80,12 @@ class ProgressLine {
     const double left = done > 0.0
                             ? since(start_) * (progress.duration - progress.time) / done
                             : HUGE_VAL;
-    std::fputs(
-        fmt::format("{}{:.3f} of {:g} s, {} retained, l_c {:.2f} um, {} left{}",
-                    terminal_ ? "\r" : "", progress.time, progress.duration,
-                    progress.retained, 1e6 * progress.critical_diameter,
-                    clock_text(left), terminal_ ? "   " : "\n")
-            .c_str(),
-        stderr);
+    std::fputs(fmt::format("{}{:.3f} of {:g} s, {} retained, l_c {:.2f} um, {} left{}",
+                           terminal_ ? "\r" : "", progress.time, progress.duration,
+                           progress.retained, 1e6 * progress.critical_diameter,
+                           clock_text(left), terminal_ ? "   " : "\n")
+                   .c_str(),
+               stderr);
     std::fflush(stderr);
     written_ = true;
   }
@@ -170,8 +168,9 @@ class Run : public Command {
     app.add_option("--threads", threads_, "Threads of the flow solver")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    app.add_flag("--progress", progress_, "Show simulated time, retained colloids, "
-                                          "critical diameter and remaining time");
+    app.add_flag("--progress", progress_,
+                 "Show simulated time, retained colloids, "
+                 "critical diameter and remaining time");
     app.add_flag("--json", json_, "Print one JSON object when done");
   }
 
@@ -192,8 +191,7 @@ class Run : public Command {
     }
     listen_to_signals();
     ResultFile result(output_, collect_provenance(arguments()), file.scene);
-    const std::optional<Realisation> realisation =
-        decision.tier.run(file.scene, options);
+    const std::optional<Realisation> realisation = decision.tier.run(file.scene, options);
     line.end();
     if (!realisation) {
       std::cerr << (checkpoint_.empty()
@@ -207,8 +205,7 @@ class Run : public Command {
       std::error_code ignored;  // none was written, or it will be refused or replayed
       std::filesystem::remove(checkpoint_, ignored);
     }
-    std::cout << (json_ ? result_json(*realisation, output_).dump(2) +
-                              "\n"
+    std::cout << (json_ ? result_json(*realisation, output_).dump(2) + "\n"
                         : result_summary(*realisation, output_));
     return exit_finished;
   }

@@ -5,8 +5,9 @@
 
 namespace colloid {
 
-/// Motion of the liquid averaged over a colloid's surface: what a sphere free of force and
-/// torque takes on by Faxen's laws.                                         MODEL (P1)
+/// Motion of the liquid averaged over a colloid's surface: what a sphere free of force
+/// and torque takes on by Faxen's laws.                                         MODEL
+/// (P1)
 struct AmbientMotion {
   Vec3 velocity;  ///< [m/s]
   Vec3 spin;      ///< angular velocity, half the vorticity [rad/s]

@@ -121,8 +121,7 @@ Reduced reduce(const std::vector<BodySystem>& bodies, const std::vector<PairTerm
     const BodySystem& body = bodies[z(b)];
     const auto& n = body.freedom;
     const int at = r.first[z(r.place[z(b)])];
-    r.resistance.block(at, at, n.cols(), n.cols()) =
-        n.transpose() * body.resistance * n;
+    r.resistance.block(at, at, n.cols(), n.cols()) = n.transpose() * body.resistance * n;
     r.drive.segment(at, n.cols()) = n.transpose() * body.drive;
   }
   for (int p : group.pairs) {
@@ -346,10 +345,8 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> motions_at_rest(
 
 std::vector<Vector3> contact_loads(const std::vector<Vector3>& contacts,
                                    const Vector6& load) {
-  const Vector forces = rows_at_rest(contacts)
-                            .transpose()
-                            .completeOrthogonalDecomposition()
-                            .solve(load);
+  const Vector forces =
+      rows_at_rest(contacts).transpose().completeOrthogonalDecomposition().solve(load);
   std::vector<Vector3> out;
   out.reserve(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {

@@ -41,9 +41,9 @@ struct ContactRow {
 };
 
 struct BodyMotions {
-  std::vector<Vector6> motion;          ///< per body (U, a w)
-  std::vector<double> contact_force;    ///< nu per contact row
-  std::vector<Vector6> bond_wrench;     ///< J' lambda per body
+  std::vector<Vector6> motion;        ///< per body (U, a w)
+  std::vector<double> contact_force;  ///< nu per contact row
+  std::vector<Vector6> bond_wrench;   ///< J' lambda per body
 };
 
 /// Solves group by group: bodies that no pair term or contact joins do not feel each

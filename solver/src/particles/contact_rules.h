@@ -1,4 +1,5 @@
-// When surfaces count as touching, and what follows.                       MODEL (P8)-(P10)
+// When surfaces count as touching, and what follows.                       MODEL
+// (P8)-(P10)
 #pragma once
 
 #include <limits>
@@ -15,10 +16,10 @@ struct ContactRules {
   double colloid_gap = 0.0;  ///< two colloids [m]
   double wall_gap = 0.0;     ///< colloid and wall [m]
 
-  bool grains_attach = true;      ///< without a push: no barrier
-  bool walls_attach = false;      ///< adhesive side walls
-  bool colloids_attach = true;    ///< two colloids bond when they touch
-  bool aggregates = true;         ///< also if both are mobile
+  bool grains_attach = true;    ///< without a push: no barrier
+  bool walls_attach = false;    ///< adhesive side walls
+  bool colloids_attach = true;  ///< two colloids bond when they touch
+  bool aggregates = true;       ///< also if both are mobile
   // Push that makes a colloid stick where touching alone does not [N]; infinite: none.
   double grain_repulsion = std::numeric_limits<double>::infinity();
   double wall_repulsion = std::numeric_limits<double>::infinity();

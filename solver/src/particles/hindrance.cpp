@@ -12,16 +12,16 @@ namespace colloid {
 
 namespace {
 
-constexpr double kTurn = 4.0 / 3.0;        // 8 pi mu a^3 over 6 pi mu a^3
-constexpr double kSmallestRatio = 0.05;    // of the pair functions
-constexpr double kLargestRatio = 20.0;     // beyond: a plane
+constexpr double kTurn = 4.0 / 3.0;      // 8 pi mu a^3 over 6 pi mu a^3
+constexpr double kSmallestRatio = 0.05;  // of the pair functions
+constexpr double kLargestRatio = 20.0;   // beyond: a plane
 constexpr double kWeightOne = 0.5 * kHindranceReach;
 
 // What a surface with normal n does: factors along n and across it.
 struct Factors {
-  double f_n, f_t;         // force of translation
-  double t_t;              // coupling, in units of 8 pi mu a^2
-  double t_r, t_n;         // torque of rotation across, about n
+  double f_n, f_t;  // force of translation
+  double t_t;       // coupling, in units of 8 pi mu a^2
+  double t_r, t_n;  // torque of rotation across, about n
   double drive_n, drive_t, drive_r;
 };
 
@@ -51,8 +51,8 @@ void add_factors(const Factors& f, double weight, const Vector3& n,
   const Vector3 w = eigen(ambient.spin) * radius;
   held.drive.head<3>() +=
       weight * ((f.drive_n - 1.0) * (along * u) + (f.drive_t - 1.0) * (across * u));
-  held.drive.tail<3>() += weight * kTurn *
-                          ((f.t_n - 1.0) * (along * w) + (f.drive_r - 1.0) * (across * w));
+  held.drive.tail<3>() +=
+      weight * kTurn * ((f.t_n - 1.0) * (along * w) + (f.drive_r - 1.0) * (across * w));
 }
 
 }  // namespace
@@ -77,9 +77,10 @@ SurfaceHindrance::SurfaceHindrance(double radius, const std::vector<double>& sph
   for (double b : sphere_radii) {
     const double ratio = b / radius;
     require(ratio >= kSmallestRatio, "/fidelity/hindrance", [&] {
-      return fmt::format("a sphere of diameter {:g} m is smaller than 1/20 of a colloid; "
-                         "expected \"none\" or larger grains",
-                         2.0 * b);
+      return fmt::format(
+          "a sphere of diameter {:g} m is smaller than 1/20 of a colloid; "
+          "expected \"none\" or larger grains",
+          2.0 * b);
     });
     if (ratio <= kLargestRatio) {
       neighbours_.try_emplace(b, ratio);

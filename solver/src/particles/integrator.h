@@ -1,4 +1,5 @@
-// Steps in time, with error control and located contacts.                 MODEL (P11)-(P13)
+// Steps in time, with error control and located contacts.                 MODEL
+// (P11)-(P13)
 //
 // Runge-Kutta of Bogacki & Shampine (1989), third order with an embedded second.  Errors
 // are measured against the colloid's radius, and along the normal of a near surface
@@ -14,8 +15,8 @@
 
 #include "particles/contact_rules.h"
 #include "particles/motion.h"
-#include "particles/suspension.h"
 #include "particles/surfaces.h"
+#include "particles/suspension.h"
 
 namespace colloid {
 
@@ -30,9 +31,9 @@ struct IntegratorOptions {
 struct IntegratorCounts {
   long steps = 0;
   long rejected = 0;
-  long located = 0;      ///< steps shortened to a contact or a passage
-  long evaluations = 0;  ///< of all velocities
-  long overlaps = 0;     ///< colloids found overlapping something after a step
+  long located = 0;              ///< steps shortened to a contact or a passage
+  long evaluations = 0;          ///< of all velocities
+  long overlaps = 0;             ///< colloids found overlapping something after a step
   double deepest_overlap = 0.0;  ///< [m]
 };
 

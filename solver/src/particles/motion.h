@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "particles/small_matrix.h"
-#include "particles/suspension.h"
 #include "particles/surfaces.h"
+#include "particles/suspension.h"
 
 namespace colloid {
 
@@ -26,8 +26,8 @@ struct BodyWrench {
 
 /// Velocities at one state.
 struct Motion {
-  std::vector<Vec3> velocity;       ///< of each body's centre [m/s]
-  std::vector<Vec3> spin;           ///< [rad/s]
+  std::vector<Vec3> velocity;           ///< of each body's centre [m/s]
+  std::vector<Vec3> spin;               ///< [rad/s]
   std::vector<double> contact_push;     ///< normal force of each contact [N], >= 0
   std::vector<BodyWrench> bond_wrench;  ///< of all its bonds on each body
 };
@@ -46,12 +46,14 @@ class MotionModel {
 
   /// Thermal wrenches over a step [s], fluctuation balancing dissipation: covariance
   /// 2 kT R / step.  `normals`: six independent normal draws per body.
-  virtual std::vector<BodyWrench> thermal_wrenches(
-      const std::vector<RigidBody>& bodies, const std::vector<Vector6>& normals,
-      double temperature, double step) const = 0;
+  virtual std::vector<BodyWrench> thermal_wrenches(const std::vector<RigidBody>& bodies,
+                                                   const std::vector<Vector6>& normals,
+                                                   double temperature,
+                                                   double step) const = 0;
 
   /// Wrench on each body if it were held where it is: what bonds have to carry.
-  virtual std::vector<BodyWrench> held_wrenches(const std::vector<RigidBody>& bodies) const = 0;
+  virtual std::vector<BodyWrench> held_wrenches(
+      const std::vector<RigidBody>& bodies) const = 0;
 };
 
 }  // namespace colloid

@@ -1,4 +1,5 @@
-// Motion of colloids that the flow carries but that do not act on it.       MODEL (P1)-(P7)
+// Motion of colloids that the flow carries but that do not act on it.       MODEL
+// (P1)-(P7)
 #pragma once
 
 #include <memory>
@@ -31,20 +32,23 @@ class OneWayMotion : public MotionModel {
   OneWayMotion(const OneWayOptions& options, const AmbientFlow& flow,
                const FixedSurfaces& surfaces, const std::vector<double>& grain_radii);
 
-  Motion motion(const std::vector<RigidBody>& bodies, const std::vector<Contact>& contacts,
+  Motion motion(const std::vector<RigidBody>& bodies,
+                const std::vector<Contact>& contacts,
                 const std::vector<BodyWrench>& extra) const override;
   std::vector<BodyWrench> thermal_wrenches(const std::vector<RigidBody>& bodies,
                                            const std::vector<Vector6>& normals,
                                            double temperature,
                                            double step) const override;
-  std::vector<BodyWrench> held_wrenches(const std::vector<RigidBody>& bodies) const override;
+  std::vector<BodyWrench> held_wrenches(
+      const std::vector<RigidBody>& bodies) const override;
 
  private:
   struct Assembly;
   Assembly assemble(const std::vector<RigidBody>& bodies) const;
   void add_pairs(const std::vector<RigidBody>& bodies, Assembly& out) const;
   void add_surfaces(const std::vector<RigidBody>& bodies, Assembly& out) const;
-  ContactRow contact_row(const std::vector<RigidBody>& bodies, const Contact& contact) const;
+  ContactRow contact_row(const std::vector<RigidBody>& bodies,
+                         const Contact& contact) const;
   double surface_force(const NearSurface& surface) const;
 
   OneWayOptions options_;

@@ -35,9 +35,9 @@ void add_bonds(const std::vector<RigidBody>& bodies, const Box& box, double radi
   }
 }
 
-void add_contacts(const std::vector<RigidBody>& bodies, const std::vector<Contact>& pressed,
-                  const FixedSurfaces& surfaces, const ContactRules& rules,
-                  double radius, std::vector<Row>& rows) {
+void add_contacts(const std::vector<RigidBody>& bodies,
+                  const std::vector<Contact>& pressed, const FixedSurfaces& surfaces,
+                  const ContactRules& rules, double radius, std::vector<Row>& rows) {
   std::vector<NearSurface> near;
   for (const Contact& contact : pressed) {
     const auto b = static_cast<std::size_t>(contact.body);
@@ -57,10 +57,10 @@ void add_contacts(const std::vector<RigidBody>& bodies, const std::vector<Contac
     surfaces.near(x, near);
     for (const NearSurface& surface : near) {
       if (surface.id == contact.fixed) {
-        rows.push_back({contact.body, row_of(bodies[b], m, surface.normal, radius), -1,
-                        Vector6::Zero(),
-                        surface.distance - radius -
-                            contact_gap(rules, surfaces.box(), surface.id)});
+        rows.push_back(
+            {contact.body, row_of(bodies[b], m, surface.normal, radius), -1,
+             Vector6::Zero(),
+             surface.distance - radius - contact_gap(rules, surfaces.box(), surface.id)});
       }
     }
   }

@@ -32,9 +32,9 @@ struct NearSurface {
   double radius = 0.0;    ///< of the sphere [m]; infinite for a face
 };
 
-/// The fixed surfaces around a point, found through buckets.  Spheres act through periodic
-/// faces by their images.  Wall, symmetry and inlet faces hold colloids back; they are
-/// returned whatever their distance.
+/// The fixed surfaces around a point, found through buckets.  Spheres act through
+/// periodic faces by their images.  Wall, symmetry and inlet faces hold colloids back;
+/// they are returned whatever their distance.
 class FixedSurfaces {
  public:
   /// Spheres are found within `reach` [m] of their surface.
@@ -42,7 +42,8 @@ class FixedSurfaces {
 
   void add_colloid(int id, const Sphere& sphere);
 
-  /// Clears `out` and fills it: faces first, then spheres in the order in which they came.
+  /// Clears `out` and fills it: faces first, then spheres in the order in which they
+  /// came.
   void near(const Vec3& x, std::vector<NearSurface>& out) const;
 
   const Box& box() const { return box_; }

@@ -82,7 +82,8 @@ Vec3 turned(const Vec3& v, const Vec3& turn) {
          2.0 * half * half * cross(axis, cross(axis, v));
 }
 
-Vec3 bond_contact(const RigidBody& body, const Bond& bond, const Box& box, double radius) {
+Vec3 bond_contact(const RigidBody& body, const Bond& bond, const Box& box,
+                  double radius) {
   const auto m = static_cast<std::size_t>(bond.member);
   const Vec3 e = shortest(box, bond.anchor, body.position(m));
   // Half of the gap is the colloid's.

@@ -22,9 +22,9 @@ struct MobileColloid {
 
 /// A place where a body touches something fixed and sticks to it.
 struct Bond {
-  int member = 0;   ///< of the body
-  SurfaceId fixed;  ///< a retained colloid
-  Vec3 anchor;      ///< its centre [m]
+  int member = 0;         ///< of the body
+  SurfaceId fixed;        ///< a retained colloid
+  Vec3 anchor;            ///< its centre [m]
   double distance = 0.0;  ///< of the two centres, kept [m]
 };
 
@@ -40,7 +40,7 @@ struct RigidBody {
   double slow_since = std::numeric_limits<double>::quiet_NaN();  ///< [s]
   Vec3 slow_at;                                                  ///< [m]
 
-  bool bonded() const { return !bonds.empty(); }             ///< to the deposit
+  bool bonded() const { return !bonds.empty(); }            ///< to the deposit
   bool attached() const { return bonded() || size() > 1; }  ///< to any colloid
   std::size_t size() const { return members.size(); }
   Vec3 position(std::size_t member) const { return centre + arms[member]; }

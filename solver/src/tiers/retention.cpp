@@ -88,8 +88,7 @@ std::vector<double> pulls(const RetentionContext& context, const RigidBody& body
   const std::vector<Vector3> forces = contact_loads(points, load);
   std::vector<double> out;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    out.push_back(
-        std::max(0.0, -forces[i].dot(eigen(contacts[i].surface.normal))));
+    out.push_back(std::max(0.0, -forces[i].dot(eigen(contacts[i].surface.normal))));
   }
   return out;
 }
@@ -121,18 +120,18 @@ void judge(const RetentionContext& context, const RigidBody& body, std::size_t m
   for (std::size_t m = 0; m < body.size(); ++m) {
     const double r = norm(body.arms[m] - body.arms[member]);
     const double gap = context.rules.colloid_gap;
-    if (m != member && r <= 2.0 * context.radius + gap +
-                                2.0 * contact_tolerance(gap, context.radius)) {
+    if (m != member &&
+        r <= 2.0 * context.radius + gap + 2.0 * contact_tolerance(gap, context.radius)) {
       colloid.partners.push_back(fmt::format("colloid {}", body.members[m].id));
       deposit = true;
     }
   }
-  colloid.layer = grain                 ? Layer::first
+  colloid.layer = grain              ? Layer::first
                   : wall && !deposit ? Layer::wall
-                                        : Layer::multilayer;
-  colloid.mechanism = grain                 ? Mechanism::attachment_to_grain
+                                     : Layer::multilayer;
+  colloid.mechanism = grain              ? Mechanism::attachment_to_grain
                       : wall && !deposit ? Mechanism::attachment_to_wall
-                                            : Mechanism::attachment_to_deposit;
+                                         : Mechanism::attachment_to_deposit;
   if (body.size() == 1 && held_by_geometry(context, colloid.position, held.force)) {
     colloid.mechanism = Mechanism::straining;
   }
@@ -140,8 +139,7 @@ void judge(const RetentionContext& context, const RigidBody& body, std::size_t m
 
 }  // namespace
 
-bool held_by_geometry(const RetentionContext& context, const Vec3& x,
-                      const Vec3& force) {
+bool held_by_geometry(const RetentionContext& context, const Vec3& x, const Vec3& force) {
   std::vector<NearSurface> near;
   context.surfaces.near(x, near);
   std::vector<ContactRow> rows;
@@ -188,11 +186,11 @@ std::vector<RetainedColloid> describe_retention(const RetentionContext& context,
     judge(context, body, m, contacts, held, colloid);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (contacts[i].member == m) {
-        colloid.bond_load =
-            std::isnan(colloid.bond_load) ? load[i] : std::max(colloid.bond_load, load[i]);
-        colloid.bond_overloaded =
-            colloid.bond_overloaded ||
-            load[i] > pull_off_of(context, contacts[i].surface.id);
+        colloid.bond_load = std::isnan(colloid.bond_load)
+                                ? load[i]
+                                : std::max(colloid.bond_load, load[i]);
+        colloid.bond_overloaded = colloid.bond_overloaded ||
+                                  load[i] > pull_off_of(context, contacts[i].surface.id);
       }
     }
     out.push_back(colloid);

@@ -1,4 +1,5 @@
-// What becomes of a body that stops: its colloids are retained.          MODEL (P9), (P14)
+// What becomes of a body that stops: its colloids are retained.          MODEL (P9),
+// (P14)
 #pragma once
 
 #include <vector>
@@ -7,8 +8,8 @@
 #include "particles/body_motion.h"
 #include "particles/contact_rules.h"
 #include "particles/motion.h"
-#include "particles/suspension.h"
 #include "particles/surfaces.h"
+#include "particles/suspension.h"
 
 namespace colloid {
 

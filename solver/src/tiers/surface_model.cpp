@@ -79,7 +79,8 @@ PairContact meet(const SurfacePair& pair, double drag) {
     contact.pull_off = analysis.primary_pull_off.force;
     contact.gap = std::max(least, van_der_waals_capture_gap(contact.forces, drag));
   } else {
-    contact.pull_off = analysis.secondary_minimum ? analysis.secondary_pull_off.force : 0.0;
+    contact.pull_off =
+        analysis.secondary_minimum ? analysis.secondary_pull_off.force : 0.0;
     contact.gap = std::max(least, standoff(contact, drag));
   }
   return contact;

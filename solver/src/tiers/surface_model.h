@@ -1,4 +1,5 @@
-// What the scene's surface chemistry means for contacts.                  MODEL (P8), (P9)
+// What the scene's surface chemistry means for contacts.                  MODEL (P8),
+// (P9)
 #pragma once
 
 #include <memory>
