@@ -25,16 +25,23 @@ namespace {
 constexpr std::chrono::milliseconds kLockWait{20};
 constexpr int kLockWaits = 50;
 
+/// A child that a killed orchestrator had just forked holds its lock until it executes.
+std::optional<FileLock> take_patiently(const std::string& path,
+                                       const std::string& holder) {
+  for (int wait = 0; wait < kLockWaits; ++wait) {
+    if (auto lock = FileLock::take(path, holder)) {
+      return lock;
+    }
+    std::this_thread::sleep_for(kLockWait);
+  }
+  return FileLock::take(path, holder);
+}
+
 /// Takes the campaign's lock; refuses if another orchestrator has it.
 FileLock lock_campaign(const RunFolder& folder) {
   const std::string holder =
       fmt::format("{} {} {}\n", ::getpid(), host_name(), utc_now());
-  auto lock = FileLock::take(folder.lock_file(), holder);
-  // A child that a killed orchestrator had just forked holds its lock until it executes.
-  for (int wait = 0; !lock && wait < kLockWaits; ++wait) {
-    std::this_thread::sleep_for(kLockWait);
-    lock = FileLock::take(folder.lock_file(), holder);
-  }
+  auto lock = take_patiently(folder.lock_file(), holder);
   if (!lock) {
     std::string other = read_if_there(folder.lock_file()).value_or("");
     other = other.substr(0, other.find('\n'));
