@@ -34,7 +34,7 @@ nlohmann::json regime_of(const SolverProgram& solver, const nlohmann::json& scen
                             fmt::format("poreclog-check-{}.json", ::getpid()))
                                .string();
   write_whole(path, scene.dump() + "\n", false);
-  const nlohmann::json regime = solver.regime(path);
+  nlohmann::json regime = solver.regime(path);
   ::unlink(path.c_str());
   return regime;
 }
