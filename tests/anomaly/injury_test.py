@@ -137,6 +137,7 @@ class Orchestrator(orchestrator.Bench):
     def test_stops_at_once_at_the_second_signal(self):
         process = self.start("run", self.write(), FAULT="ignore_term")
         self.wait_until(lambda: len(self.attempts()) == 2)
+        time.sleep(1.0)  # until the solvers ignore the signal
         process.terminate()
         time.sleep(0.3)
         self.assertIsNone(process.poll())
