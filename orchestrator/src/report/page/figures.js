@@ -54,17 +54,22 @@ function legend(entries) {
 function stageMarks(stages, end) {
   const ends = [["I", stages.end_of_first_s], ["II", stages.end_of_second_s],
                 ["III", stages.end_of_third_s]].filter(([, t]) => t != null && t <= end);
-  const inOrder = ends.every(([, t], i) => i === 0 || t >= ends[i - 1][1]);
+  // Regions have names only as far as their ends are known, one after the other.
+  const all = [stages.end_of_first_s, stages.end_of_second_s, stages.end_of_third_s];
+  const known = all.findIndex(t => t == null);
+  const inOrder = ends.length === (known < 0 ? 3 : known)
+    && ends.every(([, t], i) => i === 0 || t >= ends[i - 1][1]);
+  const serif = {fontFamily: "Georgia, 'Liberation Serif', serif"};
   const marks = [Plot.ruleX(ends, {x: d => d[1], stroke: kColour.grey,
                                    strokeDasharray: "2,3"})];
   if (inOrder) {
     const names = ends.map(([name, t], i) => [name, ((i ? ends[i - 1][1] : 0) + t) / 2]);
     if (ends.length === 3) names.push(["IV", (ends[2][1] + end) / 2]);
     marks.push(Plot.text(names, {x: d => d[1], text: d => d[0], frameAnchor: "top", dy: -12,
-                                 fill: kColour.grey}));
+                                 fill: kColour.grey, ...serif}));
   } else {
     marks.push(Plot.text(ends, {x: d => d[1], text: d => `end of ${d[0]}`, frameAnchor: "top",
-                                dy: -12, fill: kColour.grey}));
+                                dy: -12, fill: kColour.grey, ...serif}));
   }
   return marks;
 }
@@ -94,24 +99,27 @@ function meanCurvePanel(statistics, key, scale, label, colour, diameter) {
   const spread = curve.sd.length > 0;
   const star = meanClogging(statistics);
   const end = grid[grid.length - 1];
+  const top = 1.04 * d3.max(d, p => Math.max(p.mean, spread ? p.bandHigh : 0,
+                                             spread ? p.above : 0));
   return chart({
     height: 320,
     x: {label: "time (s)", domain: [0, end]},
-    y: {label, zero: true},
+    y: {label, domain: [0, top], nice: false},
     marks: [
       frame(),
       ...stageMarks(statistics.stages, end),
       spread ? Plot.areaY(d, {x: "t", y1: "bandLow", y2: "bandHigh", fill: colour,
-                              fillOpacity: 0.16}) : null,
+                              fillOpacity: 0.16, clip: true}) : null,
       spread ? Plot.areaY(d, {x: "t", y1: "low", y2: "high", fill: colour,
-                              fillOpacity: 0.28}) : null,
+                              fillOpacity: 0.28, clip: true}) : null,
       spread ? Plot.lineY(d, {x: "t", y: "above", stroke: colour, strokeWidth: 1,
                               strokeDasharray: "4,3"}) : null,
       spread ? Plot.lineY(d, {x: "t", y: "below", stroke: colour, strokeWidth: 1,
                               strokeDasharray: "4,3", clip: true}) : null,
       diameter ? Plot.ruleY([diameter], {stroke: kColour.ink, strokeWidth: 1}) : null,
       diameter ? Plot.text([diameter], {y: v => v, text: () => "colloid diameter",
-                                        frameAnchor: "right", dx: -4, dy: -7}) : null,
+                                        frameAnchor: "right", dx: -6, dy: 10,
+                                        stroke: "#fff", strokeWidth: 4, fill: kColour.ink}) : null,
       Plot.lineY(d, {x: "t", y: "mean", stroke: colour, strokeWidth: 2.2}),
       star ? Plot.dot([star], {x: "time", y: s => s.at(curve.mean) * scale, symbol: "star",
                                r: 8, fill: kColour.vermillion, stroke: "#fff"}) : null,
@@ -165,7 +173,7 @@ function alphaFigure(point) {
     ? span.map(a => ({a, t: f.intercept_s + f.slope_s_per_deg * a})) : [];
   const censored = line(fit.censored_regression);
   return chart({
-    width: 720, height: 400, marginTop: 54,
+    width: 720, height: 370, marginTop: 14,
     x: {label: "elevation angle of the first attachment, α (deg)", nice: true},
     y: {label: "time from first retention to clogging (s)", zero: true},
     color: {type: "linear", scheme: "cividis", label: "critical diameter lost to it (µm)",
@@ -226,12 +234,15 @@ function injectionMap(point, inlet) {
   });
 }
 
+/// A least-squares fit worse than a constant is a local minimum far from the data.
+const worthDrawing = fit => fit.amplitude != null && !(fit.r_squared < 0);
+
 function injectionPanel(profile, top) {
   const d = rows(profile.annulus_centre_m.length, i => ({
     x: profile.annulus_centre_m[i] * kMicro, p: profile.probability[i],
     low: profile.probability_ci_low[i], high: profile.probability_ci_high[i]}));
   const last = d[d.length - 1].x;
-  const fit = profile.amplitude == null ? [] : rows(101, i => {
+  const fit = !worthDrawing(profile) ? [] : rows(101, i => {
     const x = last * i / 100;
     return {x, p: profile.amplitude * Math.exp(profile.rate_per_m * x / kMicro)};
   });

@@ -45,8 +45,10 @@ function general(value, digits = 3) {
     const [mantissa, power] = value.toExponential(digits - 1).split("e");
     return `${mantissa} × 10${[...String(Number(power))].map(c => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]).join("")}`;
   }
-  return String(Number(value.toPrecision(digits)));
+  return minus(String(Number(value.toPrecision(digits))));
 }
+
+const minus = text => text.replaceAll("-", "\u2212");
 
 /// Decimals that an interval's half-width calls for: two significant digits of it.
 function decimals(low, high, value) {
@@ -61,8 +63,8 @@ function withInterval(value, low, high) {
   if (value == null) return ["–", ""];
   const n = decimals(low, high, value);
   if (n == null) return [general(value), ""];
-  const limit = v => v == null ? "open" : v.toFixed(n);
-  return [value.toFixed(n), `${limit(low)} to ${limit(high)}`];
+  const limit = v => v == null ? "open" : minus(v.toFixed(n));
+  return [minus(value.toFixed(n)), `${limit(low)} to ${limit(high)}`];
 }
 
 const percent = level => `${Number((100 * level).toPrecision(4))} %`;
@@ -276,13 +278,17 @@ const kRegimeNames = [
   ["energy_barrier_kT", "energy barrier (kT)"], ["primary_minimum_kT", "primary minimum (kT)"],
 ];
 
+const kModelNames = {brownian: "Brownian motion", gravity: "gravity",
+                     inertia: "inertia of the liquid and of colloids",
+                     long_range_dlvo: "long-range DLVO forces", lubrication: "lubrication"};
+
 function regimeSection(p) {
   const r = p.regime ?? {};
   if (!r.models) return h("p.meta", {}, `Regime: ${r.note ?? "not known"}.`);
   const numbers = kRegimeNames.filter(([k]) => r[k] != null).map(([k, name]) =>
-    [name, k.endsWith("_m") ? pretty(`${r[k]} m`) : general(r[k])]);
+    [name, k.endsWith("_m") ? pretty(`${Number(r[k]).toPrecision(3)} m`) : general(r[k])]);
   const models = Object.entries(r.models).map(([k, v]) =>
-    [k.replaceAll("_", " "), v ? "on" : "off", r.reasons?.[k] ?? ""]);
+    [kModelNames[k] ?? k.replaceAll("_", " "), v ? "on" : "off", r.reasons?.[k] ?? ""]);
   return h("div", {},
     table([{name: "number", words: true}, {name: "value"}], numbers),
     table([{name: "model", words: true}, {name: "called for", words: true},
@@ -403,7 +409,7 @@ function curvesFigure(p, id) {
     () => !s.curves.time_s.length ? "No realisation of the complete prefix has a curve." : [
       meanCurvePanel(s, "critical_diameter", kMicro, "critical diameter (µm)", kColour.blue, diameterOf(p)),
       meanCurvePanel(s, "permeability_ratio", 1, "permeability, k/k(0)", kColour.green, null)],
-    {columns: 2, legend: [["mean", kColour.ink, "line"], ["t-interval and simultaneous band", kColour.grey, "band"],
+    {columns: 2, legend: [["mean", kColour.ink, "line"], ["pointwise t-interval", "#4d7ea3", "band"], ["simultaneous band", "#a9c6dd", "band"],
                           ["± standard deviation", kColour.grey, "dash"], ["mean clogging point", kColour.vermillion, "star"]]});
 }
 
@@ -415,6 +421,7 @@ function injectionFigures(p, id) {
   const level = percent(s.confidence);
   const top = Math.min(1, 1.1 * (d3.max(fits, f => d3.max(f.probability)) || 0.1) + 0.02);
   const text = f => f.amplitude == null ? `no fit: ${f.note ?? ""}`
+    : !worthDrawing(f) ? `no fit better than a constant (R² = ${general(f.r_squared, 2)})`
     : `A = ${general(f.amplitude, 2)}, b = ${general(f.rate_per_m / kMicro, 2)} /µm`
       + (f.rate_ci ? ` (${general(f.rate_ci[0] / kMicro, 2)} to ${general(f.rate_ci[1] / kMicro, 2)})` : "")
       + (f.r_squared == null ? "" : `, R² = ${f.r_squared.toFixed(2)}`);
@@ -489,11 +496,13 @@ function alphaCaption(s) {
   return text + "Triangles: not clogged when they ended.";
 }
 
-function pointSection(p, id) {
+const pointHead = s => [countsLine(s), warnings(s.warnings), headlineCards(s)]
+  .filter(x => x);
+
+function pointFigures(p, id) {
   const s = p.statistics;
   const n = Math.max(1, s.n);
   return [
-    countsLine(s), warnings(s.warnings), headlineCards(s),
     curvesFigure(p, id),
     figure(`survival-${id}`, "Fraction of realisations that have not clogged.",
       `Kaplan-Meier estimate with pointwise ${percent(s.confidence)} intervals (${s.clogging.kaplan_meier.method}); crosses: censored. Red: median with its ${percent(s.confidence)} interval (${s.clogging.median_method}).`,
@@ -562,23 +571,25 @@ function provenanceSection() {
 
 function build() {
   const several = content.points.length > 1;
-  report.append(
+  report.append(...[
     h("h1", {}, content.campaign),
-    content.description ? h("p.lead", {}, content.description) : "",
-    h("p.meta", {}, `poreclog report, ${content.made}`));
+    content.description ? h("p.lead", {}, content.description) : null,
+    h("p.meta", {}, `poreclog report, ${content.made.slice(0, 16).replace("T", " ")} UTC`),
+  ].filter(x => x));
   if (several) {
     report.append(h("h2", {}, "Headline numbers"), headlineTable(), ...[pairedTable()].filter(x => x),
                   ...comparison(), askedSection(), h("h2", {}, "Design points"));
     content.points.forEach((p, i) => {
       const body = h("details.point", {}, h("summary", {}, label(p)));
-      const fill = () => { if (body.children.length === 1) body.append(...pointSection(p, i)); };
+      const fill = () => { if (body.children.length === 1) body.append(...pointHead(p.statistics), ...pointFigures(p, i)); };
       body.addEventListener("toggle", fill);
       if (i === 0) { fill(); body.open = true; }
       report.append(body);
     });
   } else {
     const p = content.points[0];
-    report.append(h("h2", {}, "Headline numbers"), ...pointSection(p, 0), askedSection());
+    report.append(h("h2", {}, "Headline numbers"), ...pointHead(p.statistics), askedSection(),
+                  h("h2", {}, "Figures"), ...pointFigures(p, 0));
   }
   report.append(provenanceSection());
 }
