@@ -592,6 +592,16 @@ function build() {
                   h("h2", {}, "Figures"), ...pointFigures(p, 0));
   }
   report.append(provenanceSection());
+  window.addEventListener("beforeprint", openAll);
+  if (location.hash === "#all") openAll();
+}
+
+/// Nothing folded: on paper, and at report.html#all.
+function openAll() {
+  for (const details of report.querySelectorAll("details")) {
+    details.open = true;
+    details.dispatchEvent(new Event("toggle"));
+  }
 }
 
 try {
