@@ -13,7 +13,7 @@ cmake --preset release >/dev/null
 cmake --build --preset release --target poreclog fake_solver -j "$(nproc)" >/dev/null
 build=$PWD/build/release
 poreclog=$build/orchestrator/poreclog
-export PORECLOG_SOLVER=$build/tests/anomaly/fake_solver FAKE_ROWS=500
+export PORECLOG_SOLVER=$build/tests/anomaly/fake_solver FAKE_ROWS=500 PORECLOG_NO_REPORT=1
 out=$PWD/results/evidence/scale
 mkdir -p "$out"
 work=$(mktemp -d)

@@ -1,6 +1,7 @@
 #include "report/paired.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "campaign/plan.h"
@@ -24,7 +25,8 @@ Json difference(const EnsembleStatistics& of, const EnsembleStatistics& from,
   const auto ours = statistics::complete_prefix(of.sample.outcomes).finished;
   const auto theirs = statistics::complete_prefix(from.sample.outcomes).finished;
   std::vector<double> sample;
-  std::vector<double> single;
+  std::vector<double> here_all;
+  std::vector<double> there_all;
   std::size_t without = 0;
   auto other = theirs.begin();
   for (const RealisationOutcome* outcome : ours) {
@@ -41,7 +43,8 @@ Json difference(const EnsembleStatistics& of, const EnsembleStatistics& from,
     const auto there = quantity(**other);
     if (here && there) {
       sample.push_back(*here - *there);
-      single.push_back(*here);
+      here_all.push_back(*here);
+      there_all.push_back(*there);
     } else {
       ++without;
     }
@@ -52,8 +55,11 @@ Json difference(const EnsembleStatistics& of, const EnsembleStatistics& from,
   Json out{{"n", sample.size()}, {"n_without", without}};
   out["mean"] = mean.mean ? Json(*mean.mean) : Json();
   out["sd"] = mean.sd ? Json(*mean.sd) : Json();
-  const auto alone = statistics::mean_interval(single, level);
-  out["sd_of_one"] = alone.sd ? Json(*alone.sd) : Json();
+  const auto ours_alone = statistics::mean_interval(here_all, level);
+  const auto theirs_alone = statistics::mean_interval(there_all, level);
+  out["sd_if_independent"] = ours_alone.sd && theirs_alone.sd
+                                 ? Json(std::hypot(*ours_alone.sd, *theirs_alone.sd))
+                                 : Json();
   out["ci_low"] = mean.interval ? Json(mean.interval->low) : Json();
   out["ci_high"] = mean.interval ? Json(mean.interval->high) : Json();
   out["method"] = "paired by seed; " + mean.method;

@@ -1,7 +1,8 @@
 // Differences between design points, realisation by realisation.
 //
-// All design points draw the same injections from the same seeds, so the difference of
-// two outcomes of one seed varies less than the outcomes do: its interval is the sharper
+// All design points draw from the same seeds: the same injections, unless what is varied
+// changes them.  The difference of two outcomes of one seed then varies less than that of
+// independent ones (`sd` against `sd_if_independent`), and its interval is the sharper
 // answer to "does this parameter matter?".
 #pragma once
 

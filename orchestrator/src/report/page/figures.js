@@ -374,7 +374,7 @@ function sweepPanel(d, xLabel, numeric, yLabel, colours, domain) {
                   tickFormat: wide ? "~g" : undefined, ticks: wide ? 4 : 5, inset: 14}
                : {label: xLabel, type: "point", domain: [...new Set(d.map(p => p.x))],
                   padding: 0.5},
-    y: {label: yLabel, zero: true, domain},
+    y: {label: yLabel, zero: true, domain, ticks: 5},
     marks: [
       frame(),
       numeric ? Plot.line(shown, {x: "x", y: "v", z: "series", sort: "x",

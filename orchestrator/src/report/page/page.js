@@ -246,13 +246,14 @@ function pairedTable() {
     const [number, interval] = withInterval(d.mean, d.ci_low, d.ci_high);
     return `${number} (${interval})`;
   };
-  const spread = d => d?.sd == null || !d.sd_of_one ? "–" : general(d.sd / d.sd_of_one, 2);
+  const spread = d => d?.sd == null || !d.sd_if_independent ? "–"
+    : general(d.sd / d.sd_if_independent, 2);
   return h("section", {},
     h("h3", {}, "Differences, seed by seed"),
-    h("p", {}, rich(`Every design point draws the same injections from the same seeds, so differences are taken realisation by realisation: mean (${percent(content.points[0].statistics.confidence)} interval by Student's t). A ratio below 1.41 in the last column is what the pairing gains over independent seeds.`)),
+    h("p", {}, rich(`All design points draw from the same seeds: the same injections, unless what is varied changes them. So differences are taken realisation by realisation: mean (${percent(content.points[0].statistics.confidence)} interval by Student's t). The last column is the standard deviation of the differences of t_c over that of independent seeds: below 1 the pairing sharpens the answer.`)),
     table([{name: "design point", words: true}, {name: "less", words: true}, {name: "n"},
            {name: "change of mean t_1 (s)"}, {name: "change of restricted mean t_c (s)"},
-           {name: "sd of the differences / sd"}],
+           {name: "sd, paired / independent"}],
           content.paired_differences.map(d => [
             of(d.point, d.tier), of(d.from_point, d.tier),
             String(d.restricted_tc?.n ?? d.t1.n), cell(d.t1), cell(d.restricted_tc),
@@ -304,11 +305,11 @@ function askedSection() {
   const tiers = [...new Set(content.points.map(p => p.statistics.tier))];
   return h("section", {},
     h("h2", {}, "What was asked"),
-    h("p", {}, `${content.realisations} realisations of each of ${content.points.length} `
-      + `ensemble${content.points.length > 1 ? "s" : ""} (design points and tiers), master seed `
-      + `${content.master_seed}, tier ${tiers.join(", ")}. `
-      + (content.independent_points ? "Design points have seeds of their own."
-                                    : "All design points draw the same injections.")),
+    h("p", {}, `${content.realisations} realisations`
+      + (content.points.length > 1 ? ` of each of ${content.points.length} ensembles (design points and tiers)` : "")
+      + `, master seed ${content.master_seed}, tier ${tiers.join(", ")}.`
+      + (content.points.length < 2 ? "" : content.independent_points
+        ? " Design points have seeds of their own." : " All design points draw from the same seeds.")),
     variedKeys.length ? h("p", {}, "Varied: ", variedKeys.map((k, i) =>
       `${i ? "; " : ""}${keyName(k)} = ` + [...new Set(content.points.map(p =>
         pretty(p.statistics.varied[k])))].join(", ")).join(""), ".") : null,
