@@ -33,8 +33,7 @@ WrittenReport write_report(const Plan& plan, const CommonOptions& options,
   const RunFolder folder(options.runs, plan.campaign);
   const std::string database = absolute(options.database);
   WrittenReport report;
-  report.folder =
-      absolute(output.empty() ? "results/reports/" + plan.campaign : output);
+  report.folder = absolute(output.empty() ? "results/reports/" + plan.campaign : output);
   report.page = report.folder + "/report.html";
   const CampaignStatistics statistics = campaign_statistics(plan, folder, database);
   nlohmann::ordered_json content =

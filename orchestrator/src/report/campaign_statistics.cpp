@@ -23,9 +23,8 @@ constexpr std::size_t kMostDraws = 20'000'000;
 constexpr std::size_t kFewestResamples = 400;
 
 const DesignPoint& point_of(const Plan& plan, const Ensemble& ensemble) {
-  return *std::find_if(plan.points.begin(), plan.points.end(), [&](const DesignPoint& p) {
-    return p.number == ensemble.point;
-  });
+  return *std::find_if(plan.points.begin(), plan.points.end(),
+                       [&](const DesignPoint& p) { return p.number == ensemble.point; });
 }
 
 EnsembleStatistics summarised(const Plan& plan, std::size_t ensemble,
@@ -33,11 +32,11 @@ EnsembleStatistics summarised(const Plan& plan, std::size_t ensemble,
   const SceneFacts facts = scene_facts(plan.ensembles[ensemble].scene);
   std::vector<std::string> warnings;
   statistics::SummaryOptions options;
-  options.bootstrap = bootstrap_options(
-      plan.statistics.value("confidence", 0.95),
-      plan.statistics.value("bootstrap", std::size_t{2000}),
-      std::strtoull(plan.master_seed.c_str(), nullptr, 10), sample.outcomes.size(),
-      warnings);
+  options.bootstrap =
+      bootstrap_options(plan.statistics.value("confidence", 0.95),
+                        plan.statistics.value("bootstrap", std::size_t{2000}),
+                        std::strtoull(plan.master_seed.c_str(), nullptr, 10),
+                        sample.outcomes.size(), warnings);
   options.duration = facts.duration;
   options.colloid_diameter = facts.colloid_diameter;
   options.inlet = facts.inlet;
@@ -47,9 +46,9 @@ EnsembleStatistics summarised(const Plan& plan, std::size_t ensemble,
   try {
     result.summary = statistics::summarise(result.sample.outcomes, options);
   } catch (const statistics::InvalidSample& error) {
-    throw InputError(fmt::format("{}, design point {}", plan.campaign,
-                                 plan.ensembles[ensemble].point),
-                     error.what());
+    throw InputError(
+        fmt::format("{}, design point {}", plan.campaign, plan.ensembles[ensemble].point),
+        error.what());
   }
   auto& all = result.summary.warnings;
   all.insert(all.end(), warnings.begin(), warnings.end());
@@ -96,9 +95,9 @@ std::string with_interval(const Json& value, const Json& low, const Json& high,
 }
 
 std::string time_line(const char* name, const Json& time) {
-  std::string line = fmt::format(
-      "  {:<26}{}", name,
-      with_interval(time["mean"], time["ci_low"], time["ci_high"], " s"));
+  std::string line =
+      fmt::format("  {:<26}{}", name,
+                  with_interval(time["mean"], time["ci_low"], time["ci_high"], " s"));
   if (time["mean"].is_null() && time.contains("note")) {
     line += ": " + time["note"].get<std::string>();
   }
@@ -123,10 +122,9 @@ std::string headlines_of(const Json& point) {
     head += ": ";
   }
   const long failed = point["n_failed"].get<long>();
-  std::string out = fmt::format(
-      "{}{} realisations, {} censored{}\n", head, point["n"].get<long>(),
-      point["n_censored"].get<long>(),
-      failed > 0 ? fmt::format(", {} FAILED", failed) : "");
+  std::string out = fmt::format("{}{} realisations, {} censored{}\n", head,
+                                point["n"].get<long>(), point["n_censored"].get<long>(),
+                                failed > 0 ? fmt::format(", {} FAILED", failed) : "");
   const Json& clogging = point["clogging"];
   out += time_line("mean t_1", point["t1"]);
   out += time_line("mean t_c", point["tc"]);

@@ -109,8 +109,8 @@ Json example(const Database& database, const Plan& plan, const EnsembleStatistic
            {"grains", nullptr},
            {"box_m", nullptr}};
   const Item item{of.ensemble, static_cast<int>(outcome.index)};
-  const std::string attempt = attempt_folder(folder.realisation(plan, item),
-                                             static_cast<int>(find.integer(2)));
+  const std::string attempt =
+      attempt_folder(folder.realisation(plan, item), static_cast<int>(find.integer(2)));
   if (const auto file = open_hdf5(attempt + "/result.h5")) {
     out["series"] = series_of(file->get());
     out["grains"] = grains_of(file->get());

@@ -50,8 +50,8 @@ Json difference(const EnsembleStatistics& of, const EnsembleStatistics& from,
     }
   }
   // A difference of the others would be biased: those without an event are the late ones.
-  const auto mean = statistics::mean_interval(
-      without == 0 ? sample : std::vector<double>{}, level);
+  const auto mean =
+      statistics::mean_interval(without == 0 ? sample : std::vector<double>{}, level);
   Json out{{"n", sample.size()}, {"n_without", without}};
   out["mean"] = mean.mean ? Json(*mean.mean) : Json();
   out["sd"] = mean.sd ? Json(*mean.sd) : Json();

@@ -13,8 +13,8 @@ namespace colloid {
 struct CampaignStatistics;
 struct Plan;
 
-/// Of every design point against the first one in the same tier: mean of t_1 - t_1' and of
-/// min(t_c, tau) - min(t_c', tau) over the seeds that both have finished, Student's t.
+/// Of every design point against the first one in the same tier: mean of t_1 - t_1' and
+/// of min(t_c, tau) - min(t_c', tau) over the seeds that both have finished, Student's t.
 /// Empty if the points have seeds of their own.
 nlohmann::ordered_json paired_differences(const Plan& plan,
                                           const CampaignStatistics& statistics);

@@ -63,8 +63,8 @@ class Details {
       : changes_(database.prepare(
             "SELECT step, critical_diameter_m, permeability_ratio FROM series_change "
             "WHERE realisation = ? ORDER BY step")),
-        times_(
-            database.prepare("SELECT time_s FROM grid_time WHERE grid = ? ORDER BY step")),
+        times_(database.prepare(
+            "SELECT time_s FROM grid_time WHERE grid = ? ORDER BY step")),
         injected_(database.prepare(
             "SELECT injection_x_m, injection_y_m FROM retained WHERE realisation = ? AND "
             "retention_order <= ? ORDER BY retention_order")) {}

@@ -21,10 +21,10 @@ constexpr std::size_t kMostCurves = 5000;
 
 /// What of an unfinished ensemble is looked at, and how.
 enum class InterimRule {
-  complete,         ///< every realisation has finished or failed
-  running_censored, ///< survival counts the unfinished ones, censored at their last
-                    ///< checkpoint; everything else the complete prefix in seed order
-  complete_prefix   ///< the complete prefix alone: some that run have no checkpoint yet
+  complete,          ///< every realisation has finished or failed
+  running_censored,  ///< survival counts the unfinished ones, censored at their last
+                     ///< checkpoint; everything else the complete prefix in seed order
+  complete_prefix    ///< the complete prefix alone: some that run have no checkpoint yet
 };
 
 const char* description_of(InterimRule rule);

@@ -63,9 +63,9 @@ class Row {
     double value = 0.0;
     const auto [end, error] =
         std::from_chars(text.data(), text.data() + text.size(), value);
-    require(error == std::errc() && end == text.data() + text.size() &&
-                std::isfinite(value),
-            where_, fmt::format("{} is {}, expected a number", column, in_quotes(text)));
+    require(
+        error == std::errc() && end == text.data() + text.size() && std::isfinite(value),
+        where_, fmt::format("{} is {}, expected a number", column, in_quotes(text)));
     return value;
   }
 
@@ -109,8 +109,9 @@ statistics::RealisationOutcome outcome_of(const Row& row, std::size_t number) {
   }
   require(*time >= 0.0 && outcome.t1.value_or(0.0) >= 0.0, row.where(),
           "has a negative time");
-  require(outcome.t1.value_or(0.0) <= *time, row.where(),
-          fmt::format("t1_s is {}, later than tc_s, {}", outcome.t1.value_or(0.0), *time));
+  require(
+      outcome.t1.value_or(0.0) <= *time, row.where(),
+      fmt::format("t1_s is {}, later than tc_s, {}", outcome.t1.value_or(0.0), *time));
   return outcome;
 }
 

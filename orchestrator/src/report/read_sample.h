@@ -2,8 +2,8 @@
 //
 //     idx,t1_s,tc_s,censored,alpha_deg
 //
-// with a header line, in any order; idx, t1_s and alpha_deg may be missing.  censored is 1
-// or 0; tc_s of a censored row is the time until which it had not clogged.  An empty
+// with a header line, in any order; idx, t1_s and alpha_deg may be missing.  censored is
+// 1 or 0; tc_s of a censored row is the time until which it had not clogged.  An empty
 // field, NA or NaN is no value.
 #pragma once
 

@@ -17,11 +17,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using statistics::RealisationOutcome;
 
-constexpr std::int64_t kMostRows = 500;     // of the table of realisations
-constexpr std::size_t kMostDots = 2000;     // in a scatter plot
-constexpr std::size_t kMostSteps = 1000;    // of a survival curve
-constexpr std::size_t kMostRegimes = 32;    // the solver takes a moment for each
-constexpr std::size_t kMostPictures = 24;   // design points with two realisations shown
+constexpr std::int64_t kMostRows = 500;    // of the table of realisations
+constexpr std::size_t kMostDots = 2000;    // in a scatter plot
+constexpr std::size_t kMostSteps = 1000;   // of a survival curve
+constexpr std::size_t kMostRegimes = 32;   // the solver takes a moment for each
+constexpr std::size_t kMostPictures = 24;  // design points with two realisations shown
 
 Json column_value(const Statement& row, int column) {
   switch (sqlite3_column_type(row.handle(), column)) {
@@ -63,7 +63,8 @@ Json realisations_of(const Database& database, const EnsembleSample& sample) {
       "FROM realisation r LEFT JOIN attempt a "
       "ON a.realisation = r.id AND a.number = r.attempt "
       "WHERE r.ensemble = ? AND r.idx % ? = 0 ORDER BY r.idx");
-  const std::int64_t stride = std::max<std::int64_t>(1, (all + kMostRows - 1) / kMostRows);
+  const std::int64_t stride =
+      std::max<std::int64_t>(1, (all + kMostRows - 1) / kMostRows);
   rows.bind(1, sample.id).bind(2, stride);
   Json out = table_of(rows);
   out["all"] = all;
@@ -155,8 +156,8 @@ Json point_of(const Database& database, const Plan& plan, const EnsembleStatisti
            {"cost", cost_of(database, of.sample.id)},
            {"injection_dots", injection_dots(of.sample)},
            {"alpha_dots", alpha_dots(of.summary.alpha_fit)}};
-  out["examples"] = of.ensemble < kMostPictures ? examples(database, plan, of, folder)
-                                                : Json::array();
+  out["examples"] =
+      of.ensemble < kMostPictures ? examples(database, plan, of, folder) : Json::array();
   return out;
 }
 

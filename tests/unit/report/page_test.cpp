@@ -46,7 +46,8 @@ TEST(ReportPage, NeedsNoOtherFile) {
   const std::string page = report_page({{"campaign", "c"}});
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
   EXPECT_EQ(page.find("<link rel=\"stylesheet"), std::string::npos);
-  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);  // nor may it ask for one
+  EXPECT_NE(page.find("default-src 'none'"),
+            std::string::npos);  // nor may it ask for one
 }
 
 }  // namespace
