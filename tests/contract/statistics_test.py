@@ -3,9 +3,13 @@ a table; numbers of a published example."""
 import json
 import os
 import pathlib
+import sqlite3
 import subprocess
 import tempfile
+import time
 import unittest
+
+import h5py
 
 PROGRAM = os.environ["PORECLOG"]
 FAKE_SOLVER = os.environ["FAKE_SOLVER"]
@@ -43,14 +47,17 @@ class Statistics(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
+    def environment(self):
+        return {**os.environ, "PORECLOG_SOLVER": FAKE_SOLVER,
+                "PORECLOG_DATABASE": str(self.folder / "db"),
+                "PORECLOG_RUNS": str(self.folder / "runs"),
+                "PORECLOG_OUTPUT": str(self.folder / "report")}
+
     def poreclog(self, *words, code=0):
-        environment = {**os.environ, "PORECLOG_SOLVER": FAKE_SOLVER,
-                       "PORECLOG_DATABASE": str(self.folder / "db"),
-                       "PORECLOG_RUNS": str(self.folder / "runs"),
-                       "PORECLOG_OUTPUT": str(self.folder / "report")}
-        done = subprocess.run([PROGRAM, *map(str, words)], env=environment, text=True,
+        done = subprocess.run([PROGRAM, *map(str, words)], env=self.environment(), text=True,
                               capture_output=True, timeout=120)
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        if code is not None:
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
 
     def campaign(self, **keys):
@@ -111,6 +118,62 @@ class Statistics(unittest.TestCase):
         self.assertEqual(clogging["median_s"], 23)
         self.assertEqual(printed["points"][0]["n_censored"], 12)
         self.assertIsNone(printed["points"][0]["tc"]["mean"])
+
+    def test_of_a_running_campaign_says_what_it_counts(self):
+        campaign = self.campaign(limits={"workers": 30, "seconds_per_realisation": 300,
+                                         "seconds_to_stop": 1})
+        environment = {**self.environment(), "FAKE_FAULT": "hang", "FAKE_ONE_IN": "3"}
+        running = subprocess.Popen([PROGRAM, "run", str(campaign)], env=environment,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            hung = self.wait_for_the_others()
+            self.check_interim(hung)
+        finally:
+            self.poreclog("cancel", "c", "--now", code=None)
+            running.wait(timeout=60)
+
+    def wait_for_the_others(self):
+        """Indices of the realisations that hang, once all others are ingested."""
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            time.sleep(0.2)
+            if not (self.folder / "db").exists():
+                continue
+            with sqlite3.connect(self.folder / "db") as database:
+                rows = database.execute("SELECT idx, seed, status FROM v_realisation").fetchall()
+            if all((status == "active") == (int(seed) % 3 == 0) for _, seed, status in rows):
+                hung = sorted(i for i, _, status in rows if status == "active")
+                if rows and hung:
+                    return hung
+        self.fail("the others did not finish")
+
+    def check_interim(self, hung):
+        # Nothing is known of those that hang: the complete prefix alone counts.
+        point = self.statistics_of("c")
+        self.assertTrue(point["interim"])
+        self.assertIn("everything is of the complete prefix", point["rule"])
+        self.assertEqual(point["n"], hung[0])
+        self.assertEqual(point["clogging"]["kaplan_meier"]["n"], hung[0])
+        self.assertEqual((point["n_running"], point["n_beyond_prefix"]),
+                         (len(hung), 30 - len(hung) - hung[0]))
+        # Checkpoints say how far they are: one has clogged, the others have not by 0.5 s.
+        for index in hung:
+            folder = self.folder / f"runs/c/p0000-one_way/{index:06}"
+            with h5py.File(folder / "checkpoint.h5", "w") as checkpoint:
+                state = checkpoint.create_group("realisation")
+                state["series/time_s"] = [0.0, 0.5]
+                state.attrs["t1_s"] = 0.1
+                state.attrs["tc_s"] = 0.25 if index == hung[0] else float("nan")
+        point = self.statistics_of("c")
+        self.assertIn("censored at the physical time", point["rule"])
+        curve = point["clogging"]["kaplan_meier"]
+        self.assertEqual((point["n"], curve["n"]), (hung[0], 30))
+        seen = dict(zip(curve["time_s"], curve["censored"]))
+        self.assertEqual(seen[0.5], len(hung) - 1)
+        self.assertEqual(seen[0.25], 0)
+
+    def statistics_of(self, campaign):
+        return json.loads(self.poreclog("statistics", campaign, "--json").stdout)["points"][0]
 
     def test_refuses_what_it_cannot_use(self):
         for words, why in [
