@@ -22,7 +22,9 @@ ORCHESTRATOR = {
     "execute": ["base", "campaign"],
     "ingest": ["base", "campaign", "store"],
     "attempt": [],
-    "commands": ["base", "campaign", "store", "execute", "ingest"],
+    "statistics": [],
+    "report": ["base", "campaign", "store", "ingest", "statistics"],
+    "commands": ["base", "campaign", "store", "execute", "ingest", "statistics", "report"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([a-z_]+)/')
 ROW = re.compile(r"^\| (\w+) \| [^|]+ \| ([\w, ]*?) ?\|$", re.MULTILINE)

@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
 # Installs what building and testing need on Debian 12; does nothing where all is there.
+# `install_packages.sh build`: only what building needs.
 set -eu
 
 packages=(
   build-essential cmake ninja-build git python3
   nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libeigen3-dev
   libboost-dev libboost-math-dev libhdf5-dev libsqlite3-dev libssl-dev
+)
+[ "${1-}" = build ] || packages+=(
   libgtest-dev libgmock-dev libbenchmark-dev python3-h5py python3-numpy
   clang-format-14 clang-tidy-14 libomp-14-dev gnuplot-nox
+  chromium fonts-liberation
 )
 
 missing=()

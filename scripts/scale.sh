@@ -14,7 +14,7 @@ cmake --preset "$preset" >/dev/null
 cmake --build --preset "$preset" --target poreclog fake_solver -j "$(nproc)" >/dev/null
 build=$PWD/build/$preset
 poreclog=$build/orchestrator/poreclog
-export PORECLOG_SOLVER=$build/tests/anomaly/fake_solver FAKE_ROWS=500
+export PORECLOG_SOLVER=$build/tests/anomaly/fake_solver FAKE_ROWS=500 PORECLOG_NO_REPORT=1
 out=$PWD/results/evidence/scale
 mkdir -p "$out"
 work=$(mktemp -d)

@@ -14,8 +14,10 @@
 #include "commands/command.h"
 #include "commands/query.h"
 #include "commands/repair.h"
+#include "commands/report.h"
 #include "commands/run_commands.h"
 #include "commands/show.h"
+#include "commands/statistics.h"
 #include "commands/status.h"
 #include "git_commit.h"  // written by cmake/GitCommit.cmake at every build
 
@@ -36,6 +38,10 @@ constexpr std::array kCommands{
     CommandEntry{"cancel", "Stop a campaign that another process runs",
                  colloid::make_cancel},
     CommandEntry{"query", "Ask the results database", colloid::make_query},
+    CommandEntry{"statistics", "Print estimates with intervals, of a campaign or a table",
+                 colloid::make_statistics},
+    CommandEntry{"report", "Write the report of a campaign: one HTML file",
+                 colloid::make_report},
     CommandEntry{"show", "Print one realisation, and how to repeat it alone",
                  colloid::make_show},
     CommandEntry{"repair", "Make the results database again from the run folders",

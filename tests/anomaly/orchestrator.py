@@ -82,7 +82,7 @@ class Bench(unittest.TestCase):
 
     def environment(self, fake):
         kept = {k: v for k, v in os.environ.items() if not k.startswith("FAKE_")}
-        return {**kept, "PORECLOG_SOLVER": FAKE_SOLVER,
+        return {**kept, "PORECLOG_SOLVER": FAKE_SOLVER, "PORECLOG_NO_REPORT": "1",
                 **{"FAKE_" + k: str(v) for k, v in fake.items()}}
 
     def poreclog(self, *words, code=0, database=None, runs=None, prefix=(), **fake):

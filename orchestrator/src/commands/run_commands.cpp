@@ -16,6 +16,7 @@
 #include "base/signals.h"
 #include "commands/campaign_run.h"
 #include "commands/open_campaign.h"
+#include "commands/write_report.h"
 #include "execute/local_executor.h"
 
 namespace colloid {
@@ -110,6 +111,12 @@ class WorkCommand : public Command {
                    "Realisations at once (default: the campaign's)")
         ->envname("PORECLOG_WORKERS")
         ->check(CLI::Range(1, 4096));
+    app.add_option("--output", output_,
+                   "Folder for report.html and statistics.json (default: "
+                   "results/reports/<campaign>)")
+        ->envname("PORECLOG_OUTPUT");
+    app.add_flag("--no-report", no_report_, "Leave no report at the end")
+        ->envname("PORECLOG_NO_REPORT");
     declare_more(app);
   }
 
@@ -132,9 +139,15 @@ class WorkCommand : public Command {
     LocalExecutor executor(workers_of(plan), find_keeper());
     CampaignRun campaign(plan, folder, solver, store, executor, signals);
     const int exit_code = campaign.run();
-    const auto outcome =
-        outcome_json(plan, folder, store, exit_code, campaign.why_stopped());
-    std::cout << (common_.json ? outcome.dump(2) + "\n" : outcome_text(outcome));
+    auto outcome = outcome_json(plan, folder, store, exit_code, campaign.why_stopped());
+    std::string text = outcome_text(outcome);
+    const bool has_ended = exit_code == exit_done || exit_code == exit_failures;
+    if (has_ended && !no_report_ && outcome["ingested"].get<long>() > 0) {
+      const WrittenReport report = write_report(plan, common_, output_);
+      outcome["report"] = report.page;
+      text += report.headlines + "report: " + report.page + "\n";
+    }
+    std::cout << (common_.json ? outcome.dump(2) + "\n" : text);
     return exit_code;
   }
 
@@ -165,6 +178,8 @@ class WorkCommand : public Command {
 
   CommonOptions common_;
   std::string campaign_;
+  std::string output_;
+  bool no_report_ = false;
   int workers_ = 0;
 };
 

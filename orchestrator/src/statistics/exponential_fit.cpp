@@ -1,6 +1,7 @@
 #include "statistics/exponential_fit.h"
 
 #include <cstdint>
+#include <map>
 #include <utility>
 
 #include "statistics/exponential_curve.h"
@@ -23,21 +24,49 @@ void check(const std::vector<double>& x, const Rows& rows) {
   }
 }
 
-std::vector<double> weighted_mean(const Rows& rows,
-                                  const std::vector<std::uint32_t>& counts) {
-  std::vector<double> mean(rows.front().size(), 0.0);
-  double total = 0.0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    total += counts[i];
-    for (std::size_t j = 0; counts[i] > 0 && j < mean.size(); ++j) {
-      mean[j] += counts[i] * rows[i][j];
+/// Profiles of realisations, of which there are only as many different ones as annuli:
+/// the cost of a mean grows with n, not with n times their points.
+class Profiles {
+ public:
+  explicit Profiles(const Rows& rows) : kind_(rows.size()) {
+    std::map<std::vector<double>, std::size_t> known;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto [at, is_new] = known.emplace(rows[i], different_.size());
+      if (is_new) {
+        different_.push_back(rows[i]);
+      }
+      kind_[i] = at->second;
     }
   }
-  for (double& value : mean) {
-    value /= total;
+
+  std::size_t size() const { return kind_.size(); }
+  std::size_t kinds() const { return different_.size(); }
+  std::size_t kind(std::size_t i) const { return kind_[i]; }
+
+  /// Mean with realisation i counted counts[i] times.
+  std::vector<double> mean(const std::vector<std::uint32_t>& counts) const {
+    std::vector<double> weights(different_.size(), 0.0);
+    for (std::size_t i = 0; i < kind_.size(); ++i) {
+      weights[kind_[i]] += counts[i];
+    }
+    std::vector<double> mean(different_.front().size(), 0.0);
+    double total = 0.0;
+    for (std::size_t k = 0; k < different_.size(); ++k) {
+      total += weights[k];
+      for (std::size_t j = 0; j < mean.size(); ++j) {
+        mean[j] += weights[k] * different_[k][j];
+      }
+    }
+    for (double& value : mean) {
+      value /= total;
+    }
+    return mean;
   }
-  return mean;
-}
+
+ private:
+  Rows different_;
+  std::vector<std::size_t> kind_;  ///< of each realisation, in different_
+};
 
 std::optional<double> r_squared(const std::vector<double>& x,
                                 const std::vector<double>& y,
@@ -67,15 +96,14 @@ struct Refits {
   }
 };
 
-Refits resample(const std::vector<double>& x, const Rows& rows,
+Refits resample(const std::vector<double>& x, const Profiles& rows,
                 const ExponentialCurve& start, const BootstrapOptions& options) {
   Refits refits;
   refits.amplitude.reserve(options.resamples);
   refits.rate.reserve(options.resamples);
   Resampler resampler(rows.size(), options.seed);
   for (std::size_t b = 0; b < options.resamples; ++b) {
-    const auto curve =
-        fit_exponential_curve(x, weighted_mean(rows, resampler.draw()), start);
+    const auto curve = fit_exponential_curve(x, rows.mean(resampler.draw()), start);
     if (curve) {
       refits.add(*curve);
     }
@@ -84,14 +112,19 @@ Refits resample(const std::vector<double>& x, const Rows& rows,
 }
 
 /// Fits with one realisation left out in turn; empty if one of them has no minimum.
-Refits jackknife(const std::vector<double>& x, const Rows& rows,
+/// Realisations with equal profiles leave the same mean, which is fitted once.
+Refits jackknife(const std::vector<double>& x, const Profiles& rows,
                  const ExponentialCurve& start) {
   Refits refits;
   std::vector<std::uint32_t> counts(rows.size(), 1u);
+  std::vector<std::optional<ExponentialCurve>> fitted(rows.kinds());
   for (std::size_t left_out = 0; left_out < rows.size(); ++left_out) {
-    counts[left_out] = 0;
-    const auto curve = fit_exponential_curve(x, weighted_mean(rows, counts), start);
-    counts[left_out] = 1;
+    std::optional<ExponentialCurve>& curve = fitted[rows.kind(left_out)];
+    if (!curve) {
+      counts[left_out] = 0;
+      curve = fit_exponential_curve(x, rows.mean(counts), start);
+      counts[left_out] = 1;
+    }
     if (!curve) {
       return {};
     }
@@ -116,8 +149,9 @@ ExponentialFit exponential_fit(const std::vector<double>& x, const Rows& rows,
     fit.note = rows.empty() ? "no realisation" : "fewer than three points";
     return fit;
   }
+  const Profiles profiles(rows);
   const std::vector<double> mean =
-      weighted_mean(rows, std::vector<std::uint32_t>(rows.size(), 1u));
+      profiles.mean(std::vector<std::uint32_t>(rows.size(), 1u));
   const auto start = log_linear_start(x, mean);
   if (!start) {
     fit.note = "fewer than two points are positive";
@@ -135,14 +169,14 @@ ExponentialFit exponential_fit(const std::vector<double>& x, const Rows& rows,
     fit.note = "one realisation has no interval";
     return fit;
   }
-  Refits refits = resample(x, rows, *curve, options);
+  Refits refits = resample(x, profiles, *curve, options);
   fit.resamples = options.resamples;
   fit.failed_resamples = options.resamples - refits.rate.size();
   if (refits.rate.empty() || 100 * fit.failed_resamples > options.resamples) {
     fit.note = "too many resamples have no minimum: no interval";
     return fit;
   }
-  const Refits left_out = jackknife(x, rows, *curve);
+  const Refits left_out = jackknife(x, profiles, *curve);
   if (left_out.rate.empty()) {
     fit.note = "BCa undefined: without one of the realisations there is no minimum";
     return fit;
