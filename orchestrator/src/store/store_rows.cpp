@@ -14,7 +14,9 @@ std::string_view bytes_of(const std::vector<double>& numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
 }
 
+// Not ==: NaN is a value here, and -0 is not 0.
 bool same_bits(double a, double b) {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is meant
   return std::memcmp(&a, &b, sizeof(double)) == 0;
 }
 
