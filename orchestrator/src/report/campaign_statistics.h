@@ -21,6 +21,7 @@ struct EnsembleStatistics {
   statistics::PointStatistics summary;
 };
 
+// NOLINTNEXTLINE(bugprone-exception-escape): moving a JSON object is said to throw
 struct CampaignStatistics {
   std::vector<EnsembleStatistics> ensembles;
   nlohmann::ordered_json json;  ///< what `poreclog statistics --json` prints

@@ -152,64 +152,76 @@ bool solve_alone(const BodySystem& body, Vector6& motion) {
   return true;
 }
 
+// Contacts in play and what is needed to find their forces.
+struct ContactProblem {
+  const Matrix& rows;  // C
+  const Vector& free;  // motion without contacts
+  Matrix response;     // R^-1 C'
+  Matrix delassus;     // C R^-1 C'
+};
+
+// Forces on the active contacts that bring them to rest; of least norm, since contacts
+// may be redundant (four grains hold three translations).
+Vector forces_at_rest(const ContactProblem& problem,
+                      const std::vector<Eigen::Index>& active) {
+  const auto k = static_cast<Eigen::Index>(active.size());
+  Matrix a(k, k);
+  Vector b(k);
+  for (Eigen::Index i = 0; i < k; ++i) {
+    const Eigen::Index row = active[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < k; ++j) {
+      a(i, j) = problem.delassus(row, active[static_cast<std::size_t>(j)]);
+    }
+    b[i] = -problem.rows.row(row).dot(problem.free);
+  }
+  return a.completeOrthogonalDecomposition().solve(b);
+}
+
+// The contact, not active, that is violated most; -1: none is.
+Eigen::Index worst_contact(const Vector& speed, const std::vector<Eigen::Index>& active,
+                           double scale) {
+  constexpr double kRounding = 1e-10;
+  Eigen::Index worst = -1;
+  double least = -kRounding * scale;
+  for (Eigen::Index c = 0; c < speed.size(); ++c) {
+    if (speed[c] < least && std::find(active.begin(), active.end(), c) == active.end()) {
+      least = speed[c];
+      worst = c;
+    }
+  }
+  return worst;
+}
+
 // The active set: contacts whose force presses.  Adds the most violated, removes those
 // that would pull, until neither is left.  Strictly convex, so this ends; the limit
 // guards against rounding.
 void solve_contacts(const Eigen::LLT<Matrix>& resistance, const Vector& free,
                     const Matrix& rows, Vector& q, Vector& force) {
-  const Eigen::Index m = rows.rows();
-  const Matrix response = resistance.solve(rows.transpose());  // R^-1 C'
-  const Matrix delassus = rows * response;
+  ContactProblem problem{rows, free, resistance.solve(rows.transpose()), {}};
+  problem.delassus = rows * problem.response;
   const double scale = std::max(free.cwiseAbs().maxCoeff(), 1e-300);
   std::vector<Eigen::Index> active;
-  force = Vector::Zero(m);
+  force = Vector::Zero(rows.rows());
   q = free;
   for (int exchange = 0; exchange < kMostExchanges; ++exchange) {
-    const Vector speed = rows * q;
-    Eigen::Index worst = -1;
-    double least = -1e-10 * scale;
-    for (Eigen::Index c = 0; c < m; ++c) {
-      const bool in = std::find(active.begin(), active.end(), c) != active.end();
-      if (!in && speed[c] < least) {
-        least = speed[c];
-        worst = c;
-      }
-    }
+    const Eigen::Index worst = worst_contact(rows * q, active, scale);
     if (worst < 0) {
       return;
     }
     active.push_back(worst);
-    for (;;) {
-      const auto k = static_cast<Eigen::Index>(active.size());
-      Matrix a(k, k);
-      Vector b(k);
-      for (Eigen::Index i = 0; i < k; ++i) {
-        for (Eigen::Index j = 0; j < k; ++j) {
-          a(i, j) = delassus(active[static_cast<std::size_t>(i)],
-                             active[static_cast<std::size_t>(j)]);
-        }
-        b[i] = -rows.row(active[static_cast<std::size_t>(i)]).dot(free);
+    Vector nu = forces_at_rest(problem, active);
+    Eigen::Index lowest = 0;
+    while (!active.empty() && nu.minCoeff(&lowest) < 0.0) {
+      active.erase(active.begin() + lowest);
+      if (!active.empty()) {
+        nu = forces_at_rest(problem, active);
       }
-      // Contacts may be redundant (four grains hold three translations): least norm.
-      const Vector nu = a.completeOrthogonalDecomposition().solve(b);
-      Eigen::Index lowest = 0;
-      const double smallest = nu.minCoeff(&lowest);
-      if (smallest < 0.0) {
-        active.erase(active.begin() + lowest);
-        if (active.empty()) {
-          force.setZero();
-          q = free;
-          break;
-        }
-        continue;
-      }
-      force.setZero();
-      for (Eigen::Index i = 0; i < k; ++i) {
-        force[active[static_cast<std::size_t>(i)]] = nu[i];
-      }
-      q = free + response * force;
-      break;
     }
+    force.setZero();
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      force[active[i]] = nu[static_cast<Eigen::Index>(i)];
+    }
+    q = free + problem.response * force;
   }
   throw ConvergenceError("contacts of a body: the active set does not settle");
 }

@@ -9,11 +9,11 @@ namespace {
 constexpr int kIterations = 3;  // Newton's: errors fall from 1e-6 to rounding in two
 
 struct Row {
-  int first;
   Vector6 row_first;
-  int second;
   Vector6 row_second;
   double excess;  // distance too large by this [m]
+  int first;
+  int second;
 };
 
 Vector6 row_of(const RigidBody& body, std::size_t member, const Vec3& n, double radius) {
@@ -29,8 +29,8 @@ void add_bonds(const std::vector<RigidBody>& bodies, const Box& box, double radi
       const auto m = static_cast<std::size_t>(bond.member);
       const Vec3 e = shortest(box, bodies[b].position(m), bond.anchor);
       const double r = norm(e);
-      rows.push_back({static_cast<int>(b), row_of(bodies[b], m, e * (1.0 / r), radius),
-                      -1, Vector6::Zero(), r - bond.distance});
+      rows.push_back({row_of(bodies[b], m, e * (1.0 / r), radius), Vector6::Zero(),
+                      r - bond.distance, static_cast<int>(b), -1});
     }
   }
 }
@@ -49,18 +49,18 @@ void add_contacts(const std::vector<RigidBody>& bodies,
       const Vec3 e = shortest(surfaces.box(), x, bodies[other].position(om));
       const double r = norm(e);
       const Vec3 n = e * (1.0 / r);
-      rows.push_back({contact.body, row_of(bodies[b], m, n, radius), contact.other_body,
-                      -row_of(bodies[other], om, n, radius),
-                      r - 2.0 * radius - rules.colloid_gap});
+      rows.push_back(
+          {row_of(bodies[b], m, n, radius), -row_of(bodies[other], om, n, radius),
+           r - 2.0 * radius - rules.colloid_gap, contact.body, contact.other_body});
       continue;
     }
     surfaces.near(x, near);
     for (const NearSurface& surface : near) {
       if (surface.id == contact.fixed) {
         rows.push_back(
-            {contact.body, row_of(bodies[b], m, surface.normal, radius), -1,
-             Vector6::Zero(),
-             surface.distance - radius - contact_gap(rules, surfaces.box(), surface.id)});
+            {row_of(bodies[b], m, surface.normal, radius), Vector6::Zero(),
+             surface.distance - radius - contact_gap(rules, surfaces.box(), surface.id),
+             contact.body, -1});
       }
     }
   }
@@ -84,9 +84,11 @@ void keep_distances(std::vector<RigidBody>& bodies, const std::vector<Contact>& 
     Eigen::VectorXd excess(m);
     for (Eigen::Index i = 0; i < m; ++i) {
       const Row& row = rows[static_cast<std::size_t>(i)];
-      jacobian.block<1, 6>(i, 6 * row.first) += row.row_first.transpose();
+      jacobian.block<1, 6>(i, 6 * static_cast<Eigen::Index>(row.first)) +=
+          row.row_first.transpose();
       if (row.second >= 0) {
-        jacobian.block<1, 6>(i, 6 * row.second) += row.row_second.transpose();
+        jacobian.block<1, 6>(i, 6 * static_cast<Eigen::Index>(row.second)) +=
+            row.row_second.transpose();
       }
       excess[i] = row.excess;
     }

@@ -107,9 +107,13 @@ void FixedSurfaces::near(const Vec3& x, std::vector<NearSurface>& out) const {
     surface.radius = std::numeric_limits<double>::infinity();
     out.push_back(surface);
   }
-  const auto at = static_cast<std::size_t>(
-      (bucket_of(x.z, 2) * buckets_[1] + bucket_of(x.y, 1)) * buckets_[0] +
-      bucket_of(x.x, 0));
+  const auto bucket = [&](int axis) {
+    return static_cast<std::size_t>(bucket_of(x[axis], axis));
+  };
+  const auto count = [&](std::size_t axis) {
+    return static_cast<std::size_t>(buckets_[axis]);
+  };
+  const std::size_t at = (bucket(2) * count(1) + bucket(1)) * count(0) + bucket(0);
   for (int index : content_[at]) {
     const Entry& entry = entries_[static_cast<std::size_t>(index)];
     const Vec3 e = shortest(box_, x, entry.sphere.center);
