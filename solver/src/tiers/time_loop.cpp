@@ -20,7 +20,7 @@ constexpr double kRestSpeed = 1e-3;     // of the inlet's speed
 constexpr double kRestTravel = 0.01;    // of the radius
 constexpr int kEscapePushes = 24;       // of the table of escape rates
 constexpr double kThermalTravel = 0.1;  // per thermal step, over the radius or the gap
-constexpr int kPairsPerBody = 3;        // of normal draws: six numbers
+constexpr long kPairsPerBody = 3;       // of normal draws: six numbers
 constexpr int kMostIdle = 100;          // steps of no length in a row
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -598,7 +598,7 @@ Forcing TimeLoop::thermal_forcing(double longest) const {
   std::vector<Vector6> normals;
   for (const RigidBody& body : state_.bodies) {
     Vector6 six;
-    for (int pair = 0; pair < kPairsPerBody; ++pair) {
+    for (long pair = 0; pair < kPairsPerBody; ++pair) {
       const auto draws = random_.normal_pair(
           {RandomPurpose::brownian, static_cast<std::uint32_t>(body.members.front().id),
            static_cast<std::uint64_t>(kPairsPerBody * state_.thermal_steps + pair)});
