@@ -61,9 +61,13 @@ Motion Integrator::evaluate(const std::vector<RigidBody>& bodies,
 }
 
 void Integrator::refresh(std::vector<RigidBody>& bodies) {
+  refresh(bodies, find_touches(bodies, surfaces_, options_.rules, options_.radius));
+}
+
+void Integrator::refresh(std::vector<RigidBody>& bodies,
+                         const std::vector<Touch>& touches) {
   contacts_.clear();
-  for (const Touch& touch :
-       find_touches(bodies, surfaces_, options_.rules, options_.radius)) {
+  for (const Touch& touch : touches) {
     if (!sticks(touch, options_.rules, surfaces_.box())) {
       contacts_.push_back(touch.contact);
     }
@@ -180,11 +184,8 @@ double Integrator::least_event(const std::vector<RigidBody>& bodies) const {
       return c.body == static_cast<int>(b) && c.member == static_cast<int>(m) &&
              c.fixed == id;
     };
-    const auto& bonds = bodies[b].bonds;
     return std::any_of(contacts_.begin(), contacts_.end(), same) ||
-           std::any_of(bonds.begin(), bonds.end(), [&](const Bond& bond) {
-             return bond.member == static_cast<int>(m) && bond.fixed == id;
-           });
+           bodies[b].bonded_to(m, id);
   };
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (std::size_t m = 0; m < bodies[b].size(); ++m) {
@@ -259,9 +260,9 @@ double Integrator::event_within(const std::vector<RigidBody>& begin, const Trial
   return passed;
 }
 
-// Finds the step whose end is at the contact, by the Illinois method.  At `high` surfaces
-// have passed each other, at `low` not yet.
-bool Integrator::locate(const std::vector<RigidBody>& begin, double low, double high,
+// Finds the step, up to `high`, whose end is at the contact, by the Illinois method.
+// After `high` surfaces have passed each other.
+bool Integrator::locate(const std::vector<RigidBody>& begin, double high,
                         const std::optional<Forcing>& forcing, Trial& trial,
                         double& step) {
   double f_low = least_event(begin);
@@ -276,6 +277,7 @@ bool Integrator::locate(const std::vector<RigidBody>& begin, double low, double 
     return true;
   }
   // From here on f_low and f_high are the method's weights, not the functions' values.
+  double low = 0.0;
   int side = 0;
   for (int n = 0; n < kMostLocations; ++n) {
     double at = low + (high - low) * f_low / (f_low - f_high);
@@ -317,10 +319,9 @@ double Integrator::travel_limit(const Motion& motion,
                        : std::numeric_limits<double>::infinity();
 }
 
-void Integrator::count_overlaps(const std::vector<RigidBody>& bodies) {
-  const double a = options_.radius;
-  for (const Touch& touch : find_touches(bodies, surfaces_, options_.rules, a)) {
-    const double tolerance = kLeastTolerance * a;
+void Integrator::count_overlaps(const std::vector<Touch>& touches) {
+  const double tolerance = kLeastTolerance * options_.radius;
+  for (const Touch& touch : touches) {
     if (touch.gap < -tolerance) {
       ++counts_.overlaps;
       counts_.deepest_overlap = std::max(counts_.deepest_overlap, -touch.gap);
@@ -341,8 +342,6 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   double step = std::min(longest, travel_limit(motion_, bodies));
   if (forcing) {
     motion_ = evaluate(bodies, forcing);
-  }
-  if (forcing) {
     step = std::min(step, forcing->step);
   } else if (next_step_ > 0.0) {
     step = std::min(step, next_step_);
@@ -369,7 +368,7 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   const double passed = event_within(bodies, trial, step);
   if (std::isfinite(passed)) {
     ++counts_.located;
-    if (!locate(bodies, 0.0, passed * step, forcing, trial, step)) {
+    if (!locate(bodies, passed * step, forcing, trial, step)) {
       refresh(bodies);
       return 0.0;
     }
@@ -383,11 +382,13 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
                        return body.bonds.empty();
                      });
   settle(bodies);
-  count_overlaps(bodies);
-  if (loose && find_touches(bodies, surfaces_, options_.rules, options_.radius).empty()) {
+  const std::vector<Touch> touches =
+      find_touches(bodies, surfaces_, options_.rules, options_.radius);
+  count_overlaps(touches);
+  if (loose && touches.empty()) {
     take_velocities(bodies);
   } else {
-    refresh(bodies);
+    refresh(bodies, touches);
   }
   return step;
 }

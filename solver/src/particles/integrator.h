@@ -43,6 +43,12 @@ struct Forcing {
   double step = 0.0;  ///< [s]
 };
 
+/// A pair of surfaces that touch; `contact.other_body` < 0: with something fixed.
+struct Touch {
+  Contact contact;
+  double gap = 0.0;  ///< [m]
+};
+
 class Integrator {
  public:
   /// Keeps references.
@@ -83,11 +89,12 @@ class Integrator {
   double event_within(const std::vector<RigidBody>& begin, const Trial& trial,
                       double step) const;
   double travel_limit(const Motion& motion, const std::vector<RigidBody>& bodies) const;
-  bool locate(const std::vector<RigidBody>& begin, double low, double high,
+  bool locate(const std::vector<RigidBody>& begin, double high,
               const std::optional<Forcing>& forcing, Trial& trial, double& step);
   void settle(std::vector<RigidBody>& bodies);
   void take_velocities(std::vector<RigidBody>& bodies) const;
-  void count_overlaps(const std::vector<RigidBody>& bodies);
+  void count_overlaps(const std::vector<Touch>& touches);
+  void refresh(std::vector<RigidBody>& bodies, const std::vector<Touch>& touches);
 
   IntegratorOptions options_;
   const MotionModel& model_;
@@ -97,12 +104,6 @@ class Integrator {
   bool fresh_ = false;  ///< motion_ belongs to the present state
   double next_step_ = 0.0;
   IntegratorCounts counts_;
-};
-
-/// A pair of surfaces that touch; `contact.other_body` < 0: with something fixed.
-struct Touch {
-  Contact contact;
-  double gap = 0.0;  ///< [m]
 };
 
 /// All surfaces nearer than the gap of contact and its tolerance, in the order of bodies

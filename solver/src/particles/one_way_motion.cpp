@@ -189,13 +189,8 @@ OneWayMotion::Assembly OneWayMotion::assemble(
     if (bodies[b].bonds.empty()) {
       continue;
     }
-    std::vector<Vector3> points;
-    for (const Bond& bond : bodies[b].bonds) {
-      points.push_back(
-          eigen(bond_contact(bodies[b], bond, surfaces_.box(), options_.radius)) /
-          options_.radius);
-    }
-    out.systems[b].freedom = motions_at_rest(points);
+    out.systems[b].freedom =
+        motions_at_rest(bond_contacts(bodies[b], surfaces_.box(), options_.radius));
   }
   return out;
 }
@@ -217,13 +212,7 @@ ContactRow OneWayMotion::contact_row(const std::vector<RigidBody>& bodies,
     row.row_second << -eigen(n),
         -eigen(cross(bodies[other].arms[other_m], n)) / options_.radius;
   } else {
-    std::vector<NearSurface> near;
-    surfaces_.near(x, near);
-    for (const NearSurface& surface : near) {
-      if (surface.id == contact.fixed) {
-        n = surface.normal;
-      }
-    }
+    n = surfaces_.seen_from(x, contact.fixed).normal;
   }
   row.row_first << eigen(n), eigen(cross(bodies[b].arms[m], n)) / options_.radius;
   return row;

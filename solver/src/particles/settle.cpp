@@ -38,7 +38,6 @@ void add_bonds(const std::vector<RigidBody>& bodies, const Box& box, double radi
 void add_contacts(const std::vector<RigidBody>& bodies,
                   const std::vector<Contact>& pressed, const FixedSurfaces& surfaces,
                   const ContactRules& rules, double radius, std::vector<Row>& rows) {
-  std::vector<NearSurface> near;
   for (const Contact& contact : pressed) {
     const auto b = static_cast<std::size_t>(contact.body);
     const auto m = static_cast<std::size_t>(contact.member);
@@ -54,15 +53,11 @@ void add_contacts(const std::vector<RigidBody>& bodies,
            r - 2.0 * radius - rules.colloid_gap, contact.body, contact.other_body});
       continue;
     }
-    surfaces.near(x, near);
-    for (const NearSurface& surface : near) {
-      if (surface.id == contact.fixed) {
-        rows.push_back(
-            {row_of(bodies[b], m, surface.normal, radius), Vector6::Zero(),
-             surface.distance - radius - contact_gap(rules, surfaces.box(), surface.id),
-             contact.body, -1});
-      }
-    }
+    const NearSurface surface = surfaces.seen_from(x, contact.fixed);
+    rows.push_back(
+        {row_of(bodies[b], m, surface.normal, radius), Vector6::Zero(),
+         surface.distance - radius - contact_gap(rules, surfaces.box(), surface.id),
+         contact.body, -1});
   }
 }
 

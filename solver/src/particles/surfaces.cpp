@@ -127,4 +127,12 @@ void FixedSurfaces::near(const Vec3& x, std::vector<NearSurface>& out) const {
   }
 }
 
+NearSurface FixedSurfaces::seen_from(const Vec3& x, const SurfaceId& id) const {
+  std::vector<NearSurface> surfaces;
+  near(x, surfaces);
+  const auto found = std::find_if(surfaces.begin(), surfaces.end(),
+                                  [&](const NearSurface& s) { return s.id == id; });
+  return found == surfaces.end() ? NearSurface{} : *found;
+}
+
 }  // namespace colloid

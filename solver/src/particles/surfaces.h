@@ -46,6 +46,9 @@ class FixedSurfaces {
   /// came.
   void near(const Vec3& x, std::vector<NearSurface>& out) const;
 
+  /// The surface `id`, which must be near; no normal (zero) if it is not.
+  NearSurface seen_from(const Vec3& x, const SurfaceId& id) const;
+
   const Box& box() const { return box_; }
   double reach() const { return reach_; }
 

@@ -1,8 +1,15 @@
 #include "particles/suspension.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace colloid {
+
+bool RigidBody::bonded_to(std::size_t member, const SurfaceId& fixed) const {
+  return std::any_of(bonds.begin(), bonds.end(), [&](const Bond& bond) {
+    return bond.member == static_cast<int>(member) && bond.fixed == fixed;
+  });
+}
 
 RigidBody single(const MobileColloid& colloid, const Vec3& position) {
   RigidBody body;
@@ -89,6 +96,15 @@ Vec3 bond_contact(const RigidBody& body, const Bond& bond, const Box& box,
   // Half of the gap is the colloid's.
   const double lever = 0.5 * (bond.distance - 2.0 * radius) + radius;
   return body.arms[m] + e * (lever / norm(e));
+}
+
+std::vector<Vector3> bond_contacts(const RigidBody& body, const Box& box, double radius) {
+  std::vector<Vector3> points;
+  points.reserve(body.bonds.size());
+  for (const Bond& bond : body.bonds) {
+    points.push_back(eigen(bond_contact(body, bond, box, radius)) / radius);
+  }
+  return points;
 }
 
 void displace(RigidBody& body, const Vec3& step, const Vec3& turn) {

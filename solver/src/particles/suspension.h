@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "particles/small_matrix.h"
 #include "particles/surfaces.h"
 
 namespace colloid {
@@ -42,6 +43,7 @@ struct RigidBody {
 
   bool bonded() const { return !bonds.empty(); }            ///< to the deposit
   bool attached() const { return bonded() || size() > 1; }  ///< to any colloid
+  bool bonded_to(std::size_t member, const SurfaceId& fixed) const;
   std::size_t size() const { return members.size(); }
   Vec3 position(std::size_t member) const { return centre + arms[member]; }
   Vec3 velocity_of(std::size_t member) const {
@@ -63,6 +65,8 @@ void displace(RigidBody& body, const Vec3& step, const Vec3& turn);
 
 /// Where the contact of a bond is, from the body's centre [m].
 Vec3 bond_contact(const RigidBody& body, const Bond& bond, const Box& box, double radius);
+/// Those of all its bonds, over the colloid's radius.
+std::vector<Vector3> bond_contacts(const RigidBody& body, const Box& box, double radius);
 
 /// v turned by the rotation vector (Rodrigues' formula).
 Vec3 turned(const Vec3& v, const Vec3& turn);

@@ -5,16 +5,6 @@
 
 namespace colloid {
 
-namespace {
-
-bool bonded_to(const RigidBody& body, std::size_t member, const SurfaceId& id) {
-  return std::any_of(body.bonds.begin(), body.bonds.end(), [&](const Bond& bond) {
-    return bond.member == static_cast<int>(member) && bond.fixed == id;
-  });
-}
-
-}  // namespace
-
 double distance_to_exit(const Box& box, const Vec3& x, double radius) {
   double least = std::numeric_limits<double>::infinity();
   for (int face = 0; face < kFaces; ++face) {
@@ -40,7 +30,7 @@ std::vector<Touch> find_touches(const std::vector<RigidBody>& bodies,
         const double gap = surface.distance - radius;
         const double touching = contact_gap(rules, surfaces.box(), surface.id);
         if (gap <= touching + contact_tolerance(touching, radius) &&
-            !bonded_to(bodies[b], m, surface.id)) {
+            !bodies[b].bonded_to(m, surface.id)) {
           touches.push_back(
               {{static_cast<int>(b), static_cast<int>(m), surface.id, -1, 0}, gap});
         }

@@ -35,11 +35,7 @@ std::vector<Held> fixed_contacts(const RetentionContext& context, const RigidBod
   for (std::size_t m = 0; m < body.size(); ++m) {
     context.surfaces.near(body.position(m), near);
     for (const NearSurface& surface : near) {
-      const bool bonded =
-          std::any_of(body.bonds.begin(), body.bonds.end(), [&](const Bond& bond) {
-            return bond.member == static_cast<int>(m) && bond.fixed == surface.id;
-          });
-      if (bonded || touches(context, surface)) {
+      if (body.bonded_to(m, surface.id) || touches(context, surface)) {
         contacts.push_back({m, surface});
       }
     }

@@ -35,18 +35,6 @@ IntegratorOptions integrator_options(const Scene& scene, const LoopParts& parts)
   return options;
 }
 
-NearSurface surface_at(const FixedSurfaces& surfaces, const Vec3& x,
-                       const SurfaceId& id) {
-  std::vector<NearSurface> near;
-  surfaces.near(x, near);
-  for (const NearSurface& surface : near) {
-    if (surface.id == id) {
-      return surface;
-    }
-  }
-  return {};
-}
-
 // Against the flow: out of the inlet.
 Vec3 upstream_of(const InjectionPlan& plan) {
   Vec3 up;
@@ -114,13 +102,11 @@ std::optional<Realisation> TimeLoop::run() {
 }
 
 bool TimeLoop::stopped() {
-  if (options_.checkpoint.empty()) {
-    return options_.stop != nullptr && *options_.stop;
-  }
   if (options_.stop != nullptr && *options_.stop) {
     return true;
   }
-  if (seconds_since(last_checkpoint_) >= options_.checkpoint_interval) {
+  if (!options_.checkpoint.empty() &&
+      seconds_since(last_checkpoint_) >= options_.checkpoint_interval) {
     save();
   }
   return false;
@@ -283,11 +269,7 @@ bool TimeLoop::inject(int index) {
   mobile.injection_time = state_.time;
   mobile.injection_position = colloid.position;
   state_.bodies.push_back(single(mobile, colloid.position));
-  for (InjectionRecord& record : state_.realisation.injections) {
-    if (record.index == index) {
-      record.time = state_.time;
-    }
-  }
+  state_.realisation.injections.at(static_cast<std::size_t>(index)).time = state_.time;
   integrator_.refresh(state_.bodies);
   return true;
 }
@@ -295,7 +277,7 @@ bool TimeLoop::inject(int index) {
 void TimeLoop::bond(RigidBody& body, const Touch& touch) {
   const auto m = static_cast<std::size_t>(touch.contact.member);
   const NearSurface surface =
-      surface_at(parts_.surfaces, body.position(m), touch.contact.fixed);
+      parts_.surfaces.seen_from(body.position(m), touch.contact.fixed);
   const double distance = surface.distance + surface.radius;
   body.bonds.push_back({touch.contact.member, touch.contact.fixed,
                         body.position(m) - surface.normal * distance, distance});
@@ -339,11 +321,7 @@ bool TimeLoop::handle_touch() {
     } else if (touch.contact.fixed.kind == SurfaceId::Kind::colloid) {
       RigidBody& body = state_.bodies[b];
       bond(body, touch);
-      std::vector<Vector3> points;
-      for (const Bond& each : body.bonds) {
-        points.push_back(eigen(bond_contact(body, each, box, radius_)) / radius_);
-      }
-      if (motions_at_rest(points).cols() == 0) {
+      if (motions_at_rest(bond_contacts(body, box, radius_)).cols() == 0) {
         arrest(b, m);
         return true;
       }
@@ -372,11 +350,11 @@ double TimeLoop::escape_rate(double push) const {
 
 // Surfaces that do not stick by touching: pressed together hard enough, or brought
 // together by heat.
-bool TimeLoop::handle_pushes(double step) {
+void TimeLoop::handle_pushes(double step) {
   const auto& contacts = integrator_.contacts();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
-    if (contact.other_body >= 0 || c >= integrator_.motion().contact_push.size()) {
+    if (contact.other_body >= 0) {
       continue;
     }
     const double push = integrator_.motion().contact_push[c];
@@ -391,12 +369,11 @@ bool TimeLoop::handle_pushes(double step) {
           {RandomPurpose::escape, static_cast<std::uint32_t>(member.id), 0});
       attached = attached || member.expected_escapes >= limit;
     }
-    if (attached) {
+    if (attached) {  // another one is found after the next step
       arrest(b, m);
-      return true;
+      return;
     }
   }
-  return false;
 }
 
 bool TimeLoop::handle_broken_bonds() {
@@ -409,14 +386,11 @@ bool TimeLoop::handle_broken_bonds() {
     if (!body.bonded()) {
       continue;
     }
-    std::vector<Vector3> points;
-    for (const Bond& each : body.bonds) {
-      points.push_back(eigen(bond_contact(body, each, box, radius_)) / radius_);
-    }
     const BodyWrench& wrench = integrator_.motion().bond_wrench[b];
     Vector6 load;
     load << eigen(wrench.force), eigen(wrench.torque) / radius_;
-    const std::vector<Vector3> forces = contact_loads(points, load);
+    const std::vector<Vector3> forces =
+        contact_loads(bond_contacts(body, box, radius_), load);
     for (std::size_t n = 0; n < body.bonds.size(); ++n) {
       const auto m = static_cast<std::size_t>(body.bonds[n].member);
       const Vec3 e = shortest(box, body.position(m), body.bonds[n].anchor);

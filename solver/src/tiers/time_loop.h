@@ -54,7 +54,7 @@ class TimeLoop {
   bool inject(int index);
   void after_step();
   bool handle_touch();
-  bool handle_pushes(double step);
+  void handle_pushes(double step);
   bool handle_broken_bonds();
   void handle_exits();
   void handle_rest();
