@@ -22,8 +22,7 @@ class Cancel : public Command {
  public:
   void declare_options(CLI::App& app) override {
     common_.declare(app);
-    app.add_option("campaign", campaign_, "A campaign file, or the name of a campaign")
-        ->required();
+    add_campaign_option(app, campaign_);
     app.add_flag("--now", now_,
                  "Kill the realisations instead of letting them write "
                  "checkpoints");

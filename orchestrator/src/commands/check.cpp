@@ -81,8 +81,7 @@ class Check : public Command {
  public:
   void declare_options(CLI::App& app) override {
     common_.declare(app);
-    app.add_option("campaign", campaign_, "A campaign file, or the name of a campaign")
-        ->required();
+    add_campaign_option(app, campaign_);
   }
 
   int run() override {

@@ -44,6 +44,12 @@ Plan stored_plan(const std::string& name, const CommonOptions& options) {
                       : fmt::format("; the nearest is \"{}\"", nearest(name, known))));
 }
 
+CLI::Option* add_campaign_option(CLI::App& app, std::string& campaign) {
+  return app
+      .add_option("campaign", campaign, "A campaign file, or the name of a campaign")
+      ->required();
+}
+
 OpenedCampaign open_campaign(const std::string& file_or_name,
                              const CommonOptions& options) {
   if (!names_file(file_or_name)) {

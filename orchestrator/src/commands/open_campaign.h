@@ -8,6 +8,10 @@
 
 namespace colloid {
 
+/// Declares the positional `campaign` that most commands take; required unless the caller
+/// says otherwise.
+CLI::Option* add_campaign_option(CLI::App& app, std::string& campaign);
+
 struct OpenedCampaign {
   Plan plan;            ///< what is to be worked on
   bool exists = false;  ///< it has a run folder

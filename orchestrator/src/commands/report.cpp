@@ -15,8 +15,7 @@ class ReportCommand : public Command {
  public:
   void declare_options(CLI::App& app) override {
     common_.declare(app);
-    app.add_option("campaign", campaign_, "A campaign file, or the name of a campaign")
-        ->required();
+    add_campaign_option(app, campaign_);
     app.add_option("--output", output_,
                    "Folder for report.html and statistics.json (default: "
                    "results/reports/<campaign>)")

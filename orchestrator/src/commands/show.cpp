@@ -23,8 +23,7 @@ class Show : public Command {
  public:
   void declare_options(CLI::App& app) override {
     common_.declare(app);
-    app.add_option("campaign", campaign_, "A campaign file, or the name of a campaign")
-        ->required();
+    add_campaign_option(app, campaign_);
     app.add_option("point", point_, "Number of the design point")->required();
     app.add_option("index", index_, "Index of the realisation")->required();
     app.add_option("--tier", tier_, "If the campaign has several");

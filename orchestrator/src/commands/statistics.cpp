@@ -19,8 +19,7 @@ class StatisticsCommand : public Command {
  public:
   void declare_options(CLI::App& app) override {
     common_.declare(app);
-    CLI::Option* campaign = app.add_option("campaign", campaign_,
-                                           "A campaign file, or the name of a campaign");
+    CLI::Option* campaign = add_campaign_option(app, campaign_)->required(false);
     CLI::Option* csv =
         app.add_option("--csv", csv_,
                        "A table from elsewhere instead: columns tc_s and censored (0 or "

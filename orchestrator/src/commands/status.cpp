@@ -30,8 +30,7 @@ class StatusCommand : public Command {
  public:
   void declare_options(CLI::App& app) override {
     common_.declare(app);
-    app.add_option("campaign", campaign_, "A campaign file, or the name of a campaign")
-        ->required();
+    add_campaign_option(app, campaign_);
     app.add_flag("--watch", watch_, "Again every two seconds, until it ends");
   }
 
