@@ -1,5 +1,7 @@
 #include "flow/kernels.h"
 
+#include <algorithm>
+
 #include "flow/clones.h"
 
 namespace colloid {
@@ -247,6 +249,34 @@ PORECLOG_CLONES double dot_plane(const LevelView& m, const StokesVector<A>& a,
     for (int j = 0; j < m.end[1]; ++j) {
       const std::size_t at = m.row(j, k);
       add_products(a[c] + at, b[c] + at, n, sum.data());
+    }
+  }
+  return total(sum.data());
+}
+
+PORECLOG_CLONES double pressure_square_plane(const LevelView& m,
+                                             const StokesVector<double>& u, int k) {
+  std::array<double, kLanes> sum{};
+  std::array<double, static_cast<std::size_t>(kBlock)> push{};
+  const std::array<std::ptrdiff_t, 3> stride{1, m.stride_y, m.stride_z};
+  const auto n = static_cast<std::size_t>(m.end[0]);
+  for (int j = 0; j < m.end[1]; ++j) {
+    const std::size_t at = m.row(j, k);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double* here = u[pressure] + at;
+      const double* below = here - stride[c];
+      const float* scale = m.row_scale[c] + at;
+      const float* g = m.gradient[c] + 1;
+      for (std::size_t i = 0; i < n; i += push.size()) {
+        const std::size_t count = std::min(push.size(), n - i);
+        for (std::size_t b = 0; b < count; ++b) {
+          const std::size_t q = i + b;
+          const auto weight = static_cast<double>(
+              g[c == 0 ? q : static_cast<std::size_t>(c == 1 ? j : k)]);
+          push[b] = static_cast<double>(scale[q]) * weight * (here[q] - below[q]);
+        }
+        add_products(push.data(), push.data(), count, sum.data());
+      }
     }
   }
   return total(sum.data());

@@ -38,6 +38,9 @@ template <class A, class B>
 double dot_plane(const LevelView& m, const StokesVector<A>& a, const StokesVector<B>& b,
                  int k);
 
+/// Sum of squares of S G p over one plane.
+double pressure_square_plane(const LevelView& m, const StokesVector<double>& u, int k);
+
 /// sum[i] = dot_plane of w and v[i], i < count: rows of w stay in the cache.
 void dots_plane(const LevelView& m, const StokesVector<double>& w,
                 const StokesVector<float>* v, std::size_t count, double* sum, int k);

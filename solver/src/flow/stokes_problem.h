@@ -39,7 +39,9 @@ struct StokesProblem {
 int flow_axis(const StokesProblem& problem);
 
 struct StokesOptions {
-  double tolerance = 1e-6;   ///< residual relative to the drive's, 2-norm of scaled rows
+  /// Residual relative to the drive or the forces by pressure, whichever are larger:
+  /// 2-norms of scaled rows.
+  double tolerance = 1e-6;
   int max_iterations = 200;  ///< then the flow has not converged
   int threads = 1;           ///< results do not depend on it
 };

@@ -61,10 +61,11 @@ class StokesSolver {
   void make_lift();
   void make_drive();
   void superpose_flow();
+  double pressure_norm(StokesVector<double>& x) const;
   void solve_unit_force(int axis, double tolerance);
   void solve_mean_velocity();
-  void solve_system(const StokesVector<double>& b, StokesVector<double>& x, double scale,
-                    double tolerance);
+  void solve_system(const StokesVector<double>& b, StokesVector<double>& x,
+                    double drive_norm, double tolerance);
   Vec3 mean_velocity(const StokesVector<double>& x) const;
   double face_pressure(int face) const;
   double mean_pressure_near(int face, double margin) const;

@@ -189,7 +189,9 @@ void declare(Fields& f, Fidelity& fidelity) {
   f.choice({"hindrance", "surfaces that slow a mobile colloid down"}, fidelity.hindrance);
   f.quantity_or({"capture_gap", "gap at which a colloid is caught"}, "computed",
                 {"m", positive(1e-3)}, fidelity.capture_gap);
-  f.number({"tolerance", "relative residual at which the flow has converged"},
+  f.number({"tolerance",
+            "residual, relative to the drive or the pressure, at which the flow has "
+            "converged"},
            between(1e-14, 0.1), fidelity.tolerance);
   f.choice({"lubrication", "correction of gaps below the grid's resolution"},
            fidelity.lubrication);
