@@ -50,9 +50,8 @@ class RowBalance {
             static_cast<std::ptrdiff_t>(q) + (side == 0 ? -1 : 1) * grid_.stride(a));
         const double weight = side_area / distance;
         if (kind == Side::given_velocity) {
-          const double taken = weight * d.prefactor * dual_length(component, a, at);
-          on_wall(2 * a + side, there, -taken);
-          on_wall(2 * a + side, q, taken);
+          on_wall(2 * a + side, there, -weight);
+          on_wall(2 * a + side, q, weight);
         } else {
           velocity(there, weight);
           velocity(q, -weight);

@@ -413,10 +413,14 @@ class BodyBorder : public KrylovBorder {
   BodyBorder(const BodyRows& rows, const Eigen::MatrixXd& motions,
              const Eigen::MatrixXd& resistance, const Eigen::MatrixXd& guess,
              double weight)
-      : rows_(rows), motions_(motions / weight) {
-    const Eigen::MatrixXd scaling =
-        (motions.transpose() * guess * motions).ldlt().solve(motions.transpose());
-    projection_ = weight * scaling;
+      : rows_(rows),
+        motions_(motions / weight),
+        projection_(Eigen::MatrixXd::Zero(motions.cols(), motions.rows())) {
+    if (motions.cols() > 0) {
+      projection_ =
+          weight *
+          (motions.transpose() * guess * motions).ldlt().solve(motions.transpose());
+    }
     own_ = projection_ * (resistance - rows.self()) * motions_;
   }
 
@@ -443,6 +447,9 @@ class BodyBorder : public KrylovBorder {
   Eigen::VectorXd motion(const Eigen::VectorXd& q) const { return motions_ * q; }
   /// q of the motion nearest to v.
   Eigen::VectorXd unknowns(const Eigen::VectorXd& v) const {
+    if (motions_.cols() == 0) {
+      return Eigen::VectorXd::Zero(0);
+    }
     return motions_.completeOrthogonalDecomposition().solve(v);
   }
 

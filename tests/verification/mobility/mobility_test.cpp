@@ -4,48 +4,43 @@
 #include <gtest/gtest.h>
 
 #include "flow/stokes_solver.h"
-#include "flow/wall_forces.h"
 #include "flow_cases.h"
+#include "physics/wall_resistance.h"
 
 namespace colloid {
 namespace {
 
-// Sphere of radius 1 in shear above a wall; box L x L x H.
-StokesProblem shear_box(int cells_per_radius, int extent) {
-  StokesProblem p;
-  const double a = 1e-5;
-  p.box.size = {extent * a, extent * a, extent * a};
-  p.box.faces = {FaceCondition::periodic, FaceCondition::periodic,
-                 FaceCondition::periodic, FaceCondition::periodic, FaceCondition::wall,
-                 FaceCondition::wall};
-  p.drive.kind = FlowDrive::Kind::shear_rate;
-  p.drive.shear_rate = 100.0;
-  p.cells = {extent * cells_per_radius, extent * cells_per_radius,
-             extent * cells_per_radius};
-  return p;
-}
-
 TEST(Mobility, Scratch) {
   const double a = 1e-5;
-  for (int ext : {10, 16, 24}) { const int n = ext == 24 ? 3 : 4;
-    StokesProblem p = shear_box(n, ext);
-    for (double h : {3.7622, 1.5431, 1.1276}) {
-      for (double shift : {0.0, 0.37}) {
-        StokesOptions options;
-        StokesSolver solver(p, options);
-        const double cell = a / n;
-        MovingBody body{{5 * a + shift * cell, 5 * a, h * a}, {}}; std::printf("ext %d ", ext);
-        body.spheres = {{body.centre, a}};
-        solver.set_bodies({body});
-        BodyBalance b = free_bodies({body}, p.viscosity);
+  for (int n : {3, 5}) {
+    for (int extent : {14}) {
+    for (double gap : {1.0, 0.5, 0.3, 0.2, 0.1, 0.02}) {
+      for (double shift : {0.45}) {
+      StokesProblem p;
+      p.box.size = {extent * a, extent * a, extent * a};
+      p.box.faces = {FaceCondition::wall, FaceCondition::wall,
+                 FaceCondition::wall, FaceCondition::wall, FaceCondition::wall,
+                 FaceCondition::outlet};
+      p.cells = {extent * n, extent * n, extent * n};
+      StokesSolver solver(p, StokesOptions{1e-5});
+      const double cell = a / n;
+      MovingBody body{{0.5 * extent * a + shift * cell, 0.5 * extent * a+shift*cell, (1 + gap) * a}, {}};
+      body.spheres = {{body.centre, a}};
+      solver.set_bodies({body});
+      BodyBalance b = free_bodies({body}, p.viscosity);
+      b.motions.resize(6, 0);
+      double r[3];
+      const int axis[3] = {2, 0, 4};
+      for (int m = 0; m < 3; ++m) {
+        b.given.setZero();
+        b.given[axis[m]] = m == 2 ? 1e-3 / a : 1e-3;
         solver.solve(b);
-        const auto v = solver.body_motion();
-        const auto w = solver.body_wrench();
-        const auto f = wall_forces(solver).spheres.at(0);
-        const double u = v[0] / (100.0 * h * a);
-        std::printf("n %d h %.4f shift %.2f  U/hS %.5f  w/S %.5f  w_y %.2e  H %.2e wf %.2e its %d wu %.0f setup %.1f ms\n", n, h,
-                    shift, u, v[4] / 100.0, v[2], w.norm() / (6 * M_PI * 1e-3 * a * v[0]), norm(f.force) / (6 * M_PI * 1e-3 * a * v[0]), solver.statistics().iterations, solver.statistics().work_units, solver.statistics().setup_seconds*1e3);
+        r[m] = -solver.body_wrench()[axis[m]] / (6 * M_PI * 1e-3 * a * 1e-3) * (m == 2 ? 0.75 / a : 1.0);
       }
+      const WallResistance w = wall_resistance(gap);
+      std::printf("n %d gap %.3f a = %.2f cells shift %.2f:  f_n %.4f /%.4f = %.3f  f_t %.4f/%.4f = %.3f  g %.4f/%.4f\n", n, gap, gap * n, shift, r[0], w.f_n, r[0]/w.f_n, r[1], w.f_t, r[1]/w.f_t, r[2], w.t_r);
+      }
+    }
     }
   }
 }
