@@ -13,8 +13,9 @@ namespace {
 // Travel between two solves, in cells.
 constexpr double kMostTravel = 0.5;
 
-// Of a solve, relative: of the motion of a colloid about a hundredth of the grid's error.
-constexpr double kTolerance = 1e-4;
+// Of a solve, relative: moves trajectories by a hundredth of what the step of half a cell
+// does.
+constexpr double kTolerance = 1e-3;
 
 }  // namespace
 

@@ -9,6 +9,9 @@ namespace colloid {
 
 namespace {
 
+// Part of an interval below which changes are not extrapolated from it.
+constexpr double kShortInterval = 0.1;
+
 Eigen::VectorXd as_vector(const Motion& motion) {
   Eigen::VectorXd v(6 * static_cast<Eigen::Index>(motion.velocity.size()));
   for (std::size_t b = 0; b < motion.velocity.size(); ++b) {
@@ -42,17 +45,34 @@ ResolvedMotion::ResolvedMotion(const ResolvedOptions& options,
                                const StokesProblem& problem, const OneWayMotion& model)
     : options_(options), model_(model), solver_(problem, solver_options(options)) {}
 
+// In intervals between solves.
+double ResolvedMotion::elapsed(const std::vector<RigidBody>& bodies) const {
+  for (const RigidBody& body : bodies) {
+    for (std::size_t m = 0; m < body.size(); ++m) {
+      if (body.members[m].id == clock_.colloid) {
+        return std::min(1.0, norm(body.position(m) - clock_.position) / clock_.span);
+      }
+    }
+  }
+  return 0.0;
+}
+
 std::vector<BodyWrench> ResolvedMotion::errors(
     const std::vector<RigidBody>& bodies) const {
+  const double time = elapsed(bodies);
   std::vector<BodyWrench> out(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (std::size_t m = 0; m < bodies[b].size(); ++m) {
       const auto found = found_.find(bodies[b].members[m].id);
-      if (found != found_.end()) {
-        const BodyWrench& error = found->second.error;
-        out[b].force += error.force;
-        out[b].torque += error.torque + cross(bodies[b].arms[m], error.force);
+      if (found == found_.end()) {
+        continue;
       }
+      const BodyWrench& error = found->second.error;
+      const BodyWrench& change = found->second.change;
+      const Vec3 force = error.force + change.force * time;
+      out[b].force += force;
+      out[b].torque +=
+          error.torque + change.torque * time + cross(bodies[b].arms[m], force);
     }
   }
   return out;
@@ -163,18 +183,40 @@ void ResolvedMotion::solve(const std::vector<RigidBody>& bodies,
   if (options_.cell > 0.0) {
     error -= balance.resistance * v;
   }
+  keep(bodies, error);
+}
+
+void ResolvedMotion::keep(const std::vector<RigidBody>& bodies,
+                          const Eigen::VectorXd& error) {
+  const std::map<int, Found> before = std::move(found_);
   found_.clear();
+  clock_ = {};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const RigidBody& body = bodies[b];
     const double share = 1.0 / static_cast<double>(body.size());
     const auto at = 6 * static_cast<Eigen::Index>(b);
+    // The arms add up to zero, so equal forces make no torque about the centre.
     const Vec3 force = plain(error.segment<3>(at)) * share;
     const Vec3 torque = plain(error.segment<3>(at + 3)) * share;
     for (std::size_t m = 0; m < body.size(); ++m) {
-      // The arms add up to zero, so equal forces make no torque about the centre.
-      found_[body.members[m].id] = {
-          body.position(m), body.size(), body.bonded(), {force, torque}};
+      const Vec3 x = body.position(m);
+      Found found{x, body.size(), body.bonded(), {force, torque}, {}};
+      const auto old = before.find(body.members[m].id);
+      if (old != before.end() && old->second.mates == found.mates &&
+          old->second.bonded == found.bonded) {
+        found.change = {force - old->second.error.force,
+                        torque - old->second.error.torque};
+        const double span = norm(x - old->second.position);
+        if (span > clock_.span) {
+          clock_ = {body.members[m].id, x, span};
+        }
+      }
+      found_[body.members[m].id] = found;
     }
+  }
+  // After a short interval little is known of the change.
+  if (clock_.span < kShortInterval * options_.most_travel) {
+    clock_ = {};
   }
 }
 
@@ -233,7 +275,12 @@ std::vector<double> ResolvedMotion::state() const {
     out.push_back(found.bonded ? 1.0 : 0.0);
     append(out, found.error.force);
     append(out, found.error.torque);
+    append(out, found.change.force);
+    append(out, found.change.torque);
   }
+  out.push_back(clock_.colloid);
+  append(out, clock_.position);
+  out.push_back(clock_.span);
   out.push_back(static_cast<double>(placed_.size()));
   for (const MovingBody& body : placed_) {
     append(out, body.centre);
@@ -263,8 +310,13 @@ void ResolvedMotion::restore(const std::vector<double>& state) {
     found.bonded = values.number() != 0.0;
     found.error.force = values.vector();
     found.error.torque = values.vector();
+    found.change.force = values.vector();
+    found.change.torque = values.vector();
     found_[id] = found;
   }
+  clock_.colloid = static_cast<int>(values.number());
+  clock_.position = values.vector();
+  clock_.span = values.number();
   std::vector<MovingBody> bodies(values.count());
   for (MovingBody& body : bodies) {
     body.centre = values.vector();

@@ -2,9 +2,9 @@
 //
 // Where the flow is solved, every d cells of travel, the wrenches of the liquid on the
 // bodies are known; what they differ from those of the one_way model by is carried along
-// with the bodies until the next solve:
+// with the bodies, extrapolated from the last two solves:
 //
-//     R V = D + E + constraints,    E = H + load + R V - D  at the last solve         (Q3)
+//     R V = D + E + constraints,    E = H + load + R V - D  where the flow is solved  (Q3)
 //
 // R and D are the model's, at the present place: lubrication and the ambient flow change
 // over a gap or a grain, E over what the model leaves out: the shape of the flow around
@@ -58,7 +58,15 @@ class ResolvedMotion : public MotionModel {
     Vec3 position;  ///< when the flow was solved [m]
     std::size_t mates = 0;  ///< colloids in its body then
     bool bonded = false;
-    BodyWrench error;
+    BodyWrench error;   ///< E
+    BodyWrench change;  ///< of E since the solve before; none if its body is another
+  };
+  /// The colloid that went farthest between the last two solves: how far it has gone
+  /// since, over that, is the time by which E is extrapolated.
+  struct Clock {
+    int colloid = -1;
+    Vec3 position;      ///< at the last solve [m]
+    double span = 0.0;  ///< travel between the last two [m]
   };
 
   bool due(const std::vector<RigidBody>& bodies) const;
@@ -66,12 +74,15 @@ class ResolvedMotion : public MotionModel {
              const Motion& motion);
   std::vector<BodyWrench> errors(const std::vector<RigidBody>& bodies) const;
   void place(const std::vector<MovingBody>& bodies);
+  double elapsed(const std::vector<RigidBody>& bodies) const;
+  void keep(const std::vector<RigidBody>& bodies, const Eigen::VectorXd& error);
 
   ResolvedOptions options_;
   const OneWayMotion& model_;
   StokesSolver solver_;
   std::vector<MovingBody> placed_;  ///< bodies in the solver
   std::map<int, Found> found_;      ///< by colloid
+  Clock clock_;
   long solves_ = 0;
   long iterations_ = 0;
   double work_units_ = 0.0;
