@@ -12,7 +12,7 @@ namespace colloid {
 namespace {
 
 // Wider gaps are resolved by the grid.
-constexpr double kResolvedCells = 2.5;
+constexpr double kResolvedCells = 5.0;
 
 Matrix6 shift_of(const Vec3& arm, double radius) {
   // Motion of the member: U + w x r, so (U, aw) -> (U - [r/a]x aw, aw).
