@@ -261,8 +261,8 @@ void BodyRows::add_columns(const Eigen::VectorXd& v, double sign, StokesVector<R
   for (std::size_t n = planes_[static_cast<std::size_t>(k)];
        n < planes_[static_cast<std::size_t>(k) + 1]; ++n) {
     const Term& term = columns_[n];
-    const double value = term.coefficient.dot(
-        v.segment<6>(6 * static_cast<Eigen::Index>(term.body)));
+    const double value =
+        term.coefficient.dot(v.segment<6>(6 * static_cast<Eigen::Index>(term.body)));
     w.a[term.component][term.at] += static_cast<Real>(sign * value);
   }
 }

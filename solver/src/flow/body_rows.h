@@ -3,7 +3,8 @@
 // With the spheres of the bodies among the walls, M acts on the velocity relative to a
 // wall.  What the rigid motions V (U and length unit times w, per body) add is linear:
 //
-//     M x - G V = f,        H = D x + R V + w                                  MODEL (F18)
+//     M x - G V = f,        H = D x + R V + w                                  MODEL
+//     (F18)
 //
 // x is zero on closed faces; there the velocity is that of the body.  H are the wrenches
 // by the control volumes of (F16).  Grid units: velocities, forces over viscosity times

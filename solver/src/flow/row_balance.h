@@ -1,6 +1,8 @@
-// The regular momentum balance of one velocity unknown's control volume, as a linear form.
+// The regular momentum balance of one velocity unknown's control volume, as a linear
+// form.
 //
-//     F = V f - A (p above - p below) + mu sum over links of A (u_nb - u)/D     MODEL (F16)
+//     F = V f - A (p above - p below) + mu sum over links of A (u_nb - u)/D     MODEL
+//     (F16)
 //
 // Zero away from surfaces; what it leaves near one is the force on that surface.
 #pragma once
@@ -17,9 +19,10 @@ class RowBalance {
   /// V, the control volume; grid units.
   double volume(int component, const std::array<int, 3>& at) const;
 
-  /// Calls velocity(entry, weight) and push(entry, weight) with what multiplies the values
-  /// of the component and of the pressure.  A link to a given velocity on a face of the
-  /// box is not part of it: on_wall(face, entry, weight) gets what it takes, with its sign.
+  /// Calls velocity(entry, weight) and push(entry, weight) with what multiplies the
+  /// values of the component and of the pressure.  A link to a given velocity on a face
+  /// of the box is not part of it: on_wall(face, entry, weight) gets what it takes, with
+  /// its sign.
   template <class OnVelocity, class OnPressure, class OnWall>
   void visit(int component, const std::array<int, 3>& at, const OnVelocity& velocity,
              const OnPressure& push, const OnWall& on_wall) const {

@@ -346,8 +346,7 @@ double StokesSolver::pressure_norm(StokesVector<double>& x) const {
 // that clogs, whose pressure grows (Arioli, Duff & Ruiz 1992).  The pressure is that of
 // the solution at the start.
 void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<double>& x,
-                                BorderedPart* part, double drive_norm,
-                                double tolerance) {
+                                BorderedPart* part, double drive_norm, double tolerance) {
   KrylovOptions krylov;
   krylov.max_iterations = options_.max_iterations;
   krylov.threads = options_.threads;

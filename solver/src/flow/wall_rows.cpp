@@ -475,9 +475,9 @@ WallRows::RowSides WallRows::row_sides(int component, const std::array<int, 3>& 
         if (&other == &wall || norm(there_from_center) >= other.image->radius) {
           continue;
         }
-        const double cut =
-            std::max(kShortestLink * step,
-                     distance_along(other.from_center, a, sign, other.image->radius, step));
+        const double cut = std::max(
+            kShortestLink * step,
+            distance_along(other.from_center, a, sign, other.image->radius, step));
         if (1.0 / cut > pull[side]) {
           pull[side] = 1.0 / cut;
           sides.surface[s][side] = &other;

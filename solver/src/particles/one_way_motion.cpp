@@ -331,9 +331,8 @@ LinearMotion OneWayMotion::linear(const std::vector<RigidBody>& bodies,
       }
     }
     const Eigen::FullPivLU<Eigen::MatrixXd> split(rows * freedom);
-    freedom = split.dimensionOfKernel() > 0
-                  ? Eigen::MatrixXd(freedom * split.kernel())
-                  : Eigen::MatrixXd(n, 0);
+    freedom = split.dimensionOfKernel() > 0 ? Eigen::MatrixXd(freedom * split.kernel())
+                                            : Eigen::MatrixXd(n, 0);
   }
   LinearMotion out;
   out.resistance = in_si(resistance);
@@ -382,8 +381,7 @@ Eigen::MatrixXd OneWayMotion::lubrication(const std::vector<RigidBody>& bodies,
                           .arms[static_cast<std::size_t>(one.index)];
     if (wall_hindrance_) {
       const Matrix6 t = shift_of(arm, a);
-      sum.block<6, 6>(at, at) +=
-          t.transpose() * narrow_gaps(one.position, cell) * t;
+      sum.block<6, 6>(at, at) += t.transpose() * narrow_gaps(one.position, cell) * t;
     }
     for (std::size_t j = i + 1; pair_hindrance_ && j < members.size(); ++j) {
       const Member& two = members[j];
@@ -403,9 +401,9 @@ Eigen::MatrixXd OneWayMotion::lubrication(const std::vector<RigidBody>& bodies,
       row.segment<6>(at) << eigen(n_hat), eigen(cross(arm, n_hat)) / a;
       row.segment<6>(6 * static_cast<Eigen::Index>(two.body)) << -eigen(n_hat),
           -eigen(cross(other_arm, n_hat)) / a;
-      const double beyond = pair_hindrance_->at(gap / a).squeeze -
-                            pair_hindrance_->at(cell * gap_seen_by_grid(gap / cell) / a)
-                                .squeeze;
+      const double beyond =
+          pair_hindrance_->at(gap / a).squeeze -
+          pair_hindrance_->at(cell * gap_seen_by_grid(gap / cell) / a).squeeze;
       sum += 0.5 * beyond * row * row.transpose();
     }
   }

@@ -32,8 +32,9 @@ struct OneWayOptions {
 struct LinearMotion {
   Eigen::MatrixXd resistance;
   Eigen::VectorXd drive;
-  Eigen::VectorXd load;     ///< weight and surface forces, part of `drive`
-  Eigen::MatrixXd motions;  ///< columns: the motions that bonds and pressed contacts leave
+  Eigen::VectorXd load;  ///< weight and surface forces, part of `drive`
+  Eigen::MatrixXd
+      motions;  ///< columns: the motions that bonds and pressed contacts leave
 };
 
 class OneWayMotion : public MotionModel {

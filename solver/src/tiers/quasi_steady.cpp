@@ -28,8 +28,8 @@ std::optional<Realisation> run_quasi_steady(const Scene& scene,
   const StokesProblem problem = make_flow_problem(scene, {}, ready.cells);
   double cell = std::numeric_limits<double>::max();
   for (int a = 0; a < 3; ++a) {
-    cell = std::min(cell,
-                    problem.box.size[a] / problem.cells[static_cast<std::size_t>(a)]);
+    cell =
+        std::min(cell, problem.box.size[a] / problem.cells[static_cast<std::size_t>(a)]);
   }
   ResolvedOptions resolved;
   resolved.radius = ready.radius;

@@ -1,4 +1,5 @@
-// The tier quasi_steady: every colloid resolved in Stokes flow.            MODEL section Q
+// The tier quasi_steady: every colloid resolved in Stokes flow.            MODEL section
+// Q
 #pragma once
 
 #include <optional>

@@ -134,9 +134,8 @@ double ResolvedMotion::longest_step(const std::vector<RigidBody>& bodies) const 
   for (const RigidBody& body : bodies) {
     for (std::size_t m = 0; m < body.size(); ++m) {
       const auto found = found_.find(body.members[m].id);
-      const double gone = found == found_.end()
-                              ? 0.0
-                              : norm(body.position(m) - found->second.position);
+      const double gone =
+          found == found_.end() ? 0.0 : norm(body.position(m) - found->second.position);
       const double speed = norm(body.velocity_of(m));
       if (speed > 0.0) {
         longest = std::min(longest, (options_.most_travel - gone) / speed);

@@ -1,10 +1,11 @@
-// Motion of colloids from a flow in which each of them is resolved.        MODEL section Q
+// Motion of colloids from a flow in which each of them is resolved.        MODEL section
+// Q
 //
 // Where the flow is solved, every d cells of travel, the wrenches of the liquid on the
 // bodies are known; what they differ from those of the one_way model by is carried along
 // with the bodies, extrapolated from the last two solves:
 //
-//     R V = D + E + constraints,    E = H + load + R V - D  where the flow is solved  (Q3)
+//     R V = D + E + constraints,    E = H + load + R V - D  where the flow is solved (Q3)
 //
 // R and D are the model's, at the present place: lubrication and the ambient flow change
 // over a gap or a grain, E over what the model leaves out: the shape of the flow around
@@ -21,10 +22,10 @@
 namespace colloid {
 
 struct ResolvedOptions {
-  double radius = 0.0;         ///< a of every colloid [m]
-  double most_travel = 0.0;    ///< between two solves [m]
-  double cell = 0.0;           ///< width, for lubrication in narrow gaps [m]; 0: none
-  double tolerance = 1e-4;     ///< of each solve
+  double radius = 0.0;       ///< a of every colloid [m]
+  double most_travel = 0.0;  ///< between two solves [m]
+  double cell = 0.0;         ///< width, for lubrication in narrow gaps [m]; 0: none
+  double tolerance = 1e-4;   ///< of each solve
   int threads = 1;
 };
 
@@ -55,7 +56,7 @@ class ResolvedMotion : public MotionModel {
  private:
   /// What was found for a colloid: its share of its body's, about its own centre.
   struct Found {
-    Vec3 position;  ///< when the flow was solved [m]
+    Vec3 position;          ///< when the flow was solved [m]
     std::size_t mates = 0;  ///< colloids in its body then
     bool bonded = false;
     BodyWrench error;   ///< E
