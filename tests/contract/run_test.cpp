@@ -55,6 +55,25 @@ TEST(Run, ChoosesATierAndSaysWhy) {
   EXPECT_NE(reason.find("Re_throat"), std::string::npos) << reason;
 }
 
+TEST(Run, ResolvesEveryColloidInTheTierQuasiSteady) {
+  for (const std::string lubrication : {"full", "resolved_only"}) {
+    std::string text = clogging_scene("0.1 s");
+    text.replace(text.find("one_way"), 7, "quasi_steady");
+    text.replace(text.find(R"("hindrance": "wall")"), 19,
+                 R"("lubrication": ")" + lubrication + R"(")");
+    const std::string scene = write_temporary("resolved.json", text);
+    const Outcome outcome =
+        run_program("run " + scene + " -o " + temporary("resolved.h5") + " --json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json.at("tier"), "quasi_steady");
+    const Json& solver = json.at("solver");
+    EXPECT_GT(solver.at("resolved_solves").get<double>(), 10.0);
+    EXPECT_GE(solver.at("resolved_iterations"), solver.at("resolved_solves"));
+    EXPECT_EQ(solver.at("overlaps"), 0.0);
+  }
+}
+
 TEST(Run, ShowsProgress) {
   const std::string scene = write_temporary("progress.json", clogging_scene("0.2 s"));
   const Outcome outcome =

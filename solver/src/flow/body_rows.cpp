@@ -1,0 +1,330 @@
+#include "flow/body_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "flow/row_balance.h"
+
+namespace colloid {
+
+namespace {
+
+// A place in the grid whose halo index stands for a periodic copy.
+std::array<int, 3> wrapped(const Grid& grid, std::array<int, 3> at) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (grid.periodic[a]) {
+      at[a] = (at[a] + grid.cells[a]) % grid.cells[a];
+    }
+  }
+  return at;
+}
+
+std::array<int, 3> place_of(const Grid& grid, std::size_t index) {
+  const auto offset = static_cast<std::ptrdiff_t>(index);
+  const auto k = offset / grid.stride_z;
+  const auto j = (offset - k * grid.stride_z) / grid.stride_y;
+  const auto i = offset - k * grid.stride_z - j * grid.stride_y;
+  // index(-1, -1, -1) need not be zero: what index(0, 0, 0) is, is known.
+  const auto origin = static_cast<std::ptrdiff_t>(grid.origin);
+  const auto ok = origin / grid.stride_z;
+  const auto oj = (origin - ok * grid.stride_z) / grid.stride_y;
+  const auto oi = origin - ok * grid.stride_z - oj * grid.stride_y;
+  return {static_cast<int>(i - oi), static_cast<int>(j - oj), static_cast<int>(k - ok)};
+}
+
+bool inside(const Grid& grid, int component, const std::array<int, 3>& at) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (at[a] < 0 || at[a] >= grid.end(component, static_cast<int>(a))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Calls visit(at) once for every place near a moving sphere.
+template <class Visit>
+void for_near(const WallRows& rows, int component, const Visit& visit) {
+  const Grid& grid = rows.grid();
+  std::vector<std::size_t> places;
+  std::vector<std::array<int, 3>> found;
+  for (const WallRows::IndexBox& box : rows.moving_boxes(component)) {
+    for (int k = box.begin[2]; k < box.end[2]; ++k) {
+      for (int j = box.begin[1]; j < box.end[1]; ++j) {
+        for (int i = box.begin[0]; i < box.end[0]; ++i) {
+          places.push_back(grid.index(i, j, k));
+        }
+      }
+    }
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  for (std::size_t q : places) {
+    visit(place_of(grid, q), q);
+  }
+}
+
+}  // namespace
+
+BodyRows::BodyRows(const WallRows& rows, const std::vector<Body>& bodies)
+    : bodies_(bodies.size()), first_sphere_(rows.fixed_count()) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (const Sphere& sphere : bodies[b].spheres) {
+      body_of_sphere_.push_back(b);
+      arm_of_sphere_.push_back(sphere.center - bodies[b].centre);
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(size());
+  self_ = Eigen::MatrixXd::Zero(n, n);
+  volumes_ = Eigen::MatrixXd::Zero(n, 3);
+  make_columns(rows);
+  make_rows(rows);
+}
+
+// Component of U + w x r as a linear form of (U, w); the moment of a unit force likewise.
+RigidMotion BodyRows::velocity_of(int component, int sphere,
+                                  const Vec3& from_center) const {
+  Vec3 along;
+  along[component] = 1.0;
+  const Vec3 arm =
+      from_center + arm_of_sphere_[static_cast<std::size_t>(sphere - first_sphere_)];
+  const Vec3 turn = cross(arm, along);
+  RigidMotion form;
+  form << along.x, along.y, along.z, turn.x, turn.y, turn.z;
+  return form;
+}
+
+void BodyRows::make_columns(const WallRows& rows) {
+  const Grid& grid = rows.grid();
+  const auto& m = rows.coefficients();
+  std::vector<WallRows::SurfaceTerm> terms;
+  std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>> flux;
+  for (int c = 0; c < 3; ++c) {
+    const auto s = static_cast<std::size_t>(c);
+    for_near(rows, c, [&](const std::array<int, 3>& at, std::size_t q) {
+      if (m.row_scale[s][q] > 0.0F) {
+        rows.surface_terms(c, at, terms);
+        for (const auto& term : terms) {
+          if (term.sphere < first_sphere_) {
+            continue;
+          }
+          const auto body =
+              body_of_sphere_[static_cast<std::size_t>(term.sphere - first_sphere_)];
+          const RigidMotion form =
+              term.weight * velocity_of(c, term.sphere, term.from_center);
+          if (!columns_.empty() && columns_.back().component == s &&
+              columns_.back().at == q && columns_.back().body == body) {
+            columns_.back().coefficient += form;
+          } else {
+            columns_.push_back({s, q, body, form});
+          }
+        }
+        return;
+      }
+      if (rows.on_given_face(c, at)) {
+        return;
+      }
+      const NearestSurface owner = rows.nearest(c, at[0], at[1], at[2]);
+      if (owner.sphere < first_sphere_) {
+        return;
+      }
+      const auto body =
+          body_of_sphere_[static_cast<std::size_t>(owner.sphere - first_sphere_)];
+      const RigidMotion form = velocity_of(c, owner.sphere, owner.from_center);
+      closed_.push_back({s, q, body, form});
+      // The divergence of the cells on both sides: -D lift.
+      for (int side = 0; side < 2; ++side) {
+        std::array<int, 3> cell = at;
+        cell[s] -= side;
+        cell = wrapped(grid, cell);
+        if (!inside(grid, pressure, cell)) {
+          continue;
+        }
+        const std::size_t p = grid.index(cell[0], cell[1], cell[2]);
+        if (m.cell_scale[p] > 0.0F) {
+          const double over_width = static_cast<double>(
+              rows.axes()[s].divergence[static_cast<std::size_t>(cell[s]) + 1]);
+          const double sign = side == 0 ? 1.0 : -1.0;
+          columns_.push_back({pressure, p, body, sign * over_width * form});
+        }
+      }
+    });
+  }
+  std::stable_sort(columns_.begin(), columns_.end(), [&](const Term& a, const Term& b) {
+    return place_of(grid, a.at)[2] < place_of(grid, b.at)[2];
+  });
+  planes_.assign(static_cast<std::size_t>(grid.cells[2]) + 2, columns_.size());
+  for (std::size_t n = columns_.size(); n-- > 0;) {
+    planes_[static_cast<std::size_t>(place_of(grid, columns_[n].at)[2])] = n;
+  }
+  for (std::size_t k = planes_.size() - 1; k-- > 0;) {
+    planes_[k] = std::min(planes_[k], planes_[k + 1]);
+  }
+  // Closed cells that rows of the bodies read.
+  for_near(rows, pressure, [&](const std::array<int, 3>& at, std::size_t q) {
+    if (m.cell_scale[q] <= 0.0F) {
+      closed_cells_.push_back(q);
+      cell_neighbours_.push_back(open_neighbours(rows, at));
+    }
+  });
+}
+
+void BodyRows::make_rows(const WallRows& rows) {
+  const Grid& grid = rows.grid();
+  const auto& m = rows.coefficients();
+  const RowBalance balance(rows);
+  // Per body, component and entry.
+  std::vector<std::array<std::unordered_map<std::size_t, RigidMotion>, 4>> forms(bodies_);
+  std::vector<std::array<std::vector<std::size_t>, 4>> order(bodies_);
+  for (int c = 0; c < 3; ++c) {
+    for_near(rows, c, [&](const std::array<int, 3>& at, std::size_t) {
+      if (rows.on_given_face(c, at)) {
+        return;
+      }
+      const NearestSurface surface = rows.nearest(c, at[0], at[1], at[2]);
+      if (surface.sphere < first_sphere_) {
+        return;
+      }
+      const auto body =
+          body_of_sphere_[static_cast<std::size_t>(surface.sphere - first_sphere_)];
+      const RigidMotion form = velocity_of(c, surface.sphere, surface.from_center);
+      const auto add = [&](int component, std::size_t entry, double weight) {
+        const auto s = static_cast<std::size_t>(component);
+        const auto [found, fresh] =
+            forms[body][s].try_emplace(entry, RigidMotion::Zero());
+        if (fresh) {
+          order[body][s].push_back(entry);
+        }
+        found->second += weight * form;
+      };
+      balance.visit(
+          c, at, [&](std::size_t entry, double weight) { add(c, entry, weight); },
+          [&](std::size_t entry, double weight) { add(pressure, entry, weight); },
+          [&](int, std::size_t entry, double weight) { add(c, entry, -weight); });
+      volumes_.block<6, 1>(6 * static_cast<Eigen::Index>(body), c) +=
+          balance.volume(c, at) * form;
+    });
+  }
+  for (std::size_t b = 0; b < bodies_; ++b) {
+    const auto row = 6 * static_cast<Eigen::Index>(b);
+    double largest = 0.0;
+    for (std::size_t s = 0; s < 4; ++s) {
+      for (std::size_t entry : order[b][s]) {
+        largest = std::max(largest, forms[b][s].at(entry).lpNorm<Eigen::Infinity>());
+      }
+    }
+    for (std::size_t s = 0; s < 4; ++s) {
+      const int component = static_cast<int>(s);
+      std::sort(order[b][s].begin(), order[b][s].end());
+      for (std::size_t entry : order[b][s]) {
+        const RigidMotion& form = forms[b][s].at(entry);
+        if (form.lpNorm<Eigen::Infinity>() <= 1e-12 * largest) {
+          continue;  // cancelled: inside the body
+        }
+        const std::array<int, 3> at = wrapped(grid, place_of(grid, entry));
+        if (!inside(grid, component, at) ||
+            (component < 3 && rows.on_given_face(component, at))) {
+          given_.push_back({s, entry, b, form});
+          continue;
+        }
+        const std::size_t q = grid.index(at[0], at[1], at[2]);
+        if (component == pressure) {
+          if (m.cell_scale[q] > 0.0F) {
+            rows_.push_back({s, q, b, form});
+            continue;
+          }
+          const auto neighbours = open_neighbours(rows, at);
+          for (std::size_t n : neighbours) {
+            rows_.push_back({s, n, b, form / static_cast<double>(neighbours.size())});
+          }
+          continue;
+        }
+        if (m.row_scale[s][q] > 0.0F) {
+          rows_.push_back({s, q, b, form});
+          continue;
+        }
+        const NearestSurface owner = rows.nearest(component, at[0], at[1], at[2]);
+        if (owner.sphere >= first_sphere_) {
+          const auto other =
+              body_of_sphere_[static_cast<std::size_t>(owner.sphere - first_sphere_)];
+          self_.block<6, 6>(row, 6 * static_cast<Eigen::Index>(other)) +=
+              form * velocity_of(component, owner.sphere, owner.from_center).transpose();
+        }
+      }
+    }
+  }
+}
+
+template <class Real>
+void BodyRows::add_columns(const Eigen::VectorXd& v, double sign, StokesVector<Real>& w,
+                           int k) const {
+  for (std::size_t n = planes_[static_cast<std::size_t>(k)];
+       n < planes_[static_cast<std::size_t>(k) + 1]; ++n) {
+    const Term& term = columns_[n];
+    const double value =
+        term.coefficient.dot(v.segment<6>(6 * static_cast<Eigen::Index>(term.body)));
+    w.a[term.component][term.at] += static_cast<Real>(sign * value);
+  }
+}
+
+template <class Real>
+Eigen::VectorXd BodyRows::apply_rows(const StokesVector<Real>& x) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size()));
+  for (const Term& term : rows_) {
+    sum.segment<6>(6 * static_cast<Eigen::Index>(term.body)) +=
+        static_cast<double>(x.a[term.component][term.at]) * term.coefficient;
+  }
+  return sum;
+}
+
+Eigen::VectorXd BodyRows::constant(const Vec3& force,
+                                   const StokesVector<double>& lift) const {
+  Eigen::VectorXd sum = volumes_ * Eigen::Vector3d(force.x, force.y, force.z);
+  for (const Term& term : given_) {
+    sum.segment<6>(6 * static_cast<Eigen::Index>(term.body)) +=
+        lift.a[term.component][term.at] * term.coefficient;
+  }
+  return sum;
+}
+
+void BodyRows::fill_bodies(const Eigen::VectorXd& v, StokesVector<double>& x) const {
+  for (const Term& term : closed_) {
+    x.a[term.component][term.at] =
+        term.coefficient.dot(v.segment<6>(6 * static_cast<Eigen::Index>(term.body)));
+  }
+}
+
+void BodyRows::fill_pressure(StokesVector<double>& x) const {
+  auto& p = x.a[pressure];
+  for (std::size_t n = 0; n < closed_cells_.size(); ++n) {
+    double sum = 0.0;
+    for (std::size_t q : cell_neighbours_[n]) {
+      sum += p[q];
+    }
+    const std::size_t count = cell_neighbours_[n].size();
+    p[closed_cells_[n]] = count > 0 ? sum / static_cast<double>(count) : 0.0;
+  }
+}
+
+void BodyRows::clear(const WallRows& rows, StokesVector<double>& x) const {
+  const auto& m = rows.coefficients();
+  for (const Term& term : closed_) {
+    if (m.row_scale[term.component][term.at] <= 0.0F) {
+      x.a[term.component][term.at] = 0.0;
+    }
+  }
+  for (std::size_t q : closed_cells_) {
+    if (m.cell_scale[q] <= 0.0F) {
+      x.a[pressure][q] = 0.0;
+    }
+  }
+}
+
+template void BodyRows::add_columns(const Eigen::VectorXd&, double, StokesVector<float>&,
+                                    int) const;
+template void BodyRows::add_columns(const Eigen::VectorXd&, double, StokesVector<double>&,
+                                    int) const;
+template Eigen::VectorXd BodyRows::apply_rows(const StokesVector<float>&) const;
+template Eigen::VectorXd BodyRows::apply_rows(const StokesVector<double>&) const;
+
+}  // namespace colloid
