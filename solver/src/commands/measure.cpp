@@ -70,6 +70,12 @@ Json measurement_json(const Measurement& m) {
     out["faces"][kFaceNames[f]] = {{"force_N", vector_json(m.forces.faces[f])}};
   }
   out["bodies"] = Json::array();
+  for (const BodyMeasurement& body : m.bodies) {
+    Json entry = wrench_json(body.wrench);
+    entry["velocity_m_s"] = vector_json(body.velocity);
+    entry["angular_velocity_rad_s"] = vector_json(body.spin);
+    out["bodies"].push_back(entry);
+  }
   out["regime"] = regime_json(m.regime);
   if (!m.profile.empty()) {
     for (const ProfilePoint& p : m.profile) {
@@ -143,7 +149,6 @@ class Measure : public Command {
 
   int run() const override {
     const SceneFile file = read_scene(scene_);
-    refuse_bodies(file);
     MeasureOptions options;
     options.grid = choice_;
     if (!cells_.empty()) {
