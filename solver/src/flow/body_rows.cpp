@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 
 #include "flow/row_balance.h"
 
 namespace colloid {
 
 namespace {
+
+// Of the largest, below which an entry has cancelled: inside a body.
+constexpr double kCancelled = 1e-12;
 
 // A place in the grid whose halo index stands for a periodic copy.
 std::array<int, 3> wrapped(const Grid& grid, std::array<int, 3> at) {
@@ -95,61 +98,77 @@ RigidMotion BodyRows::velocity_of(int component, int sphere,
 }
 
 void BodyRows::make_columns(const WallRows& rows) {
-  const Grid& grid = rows.grid();
   const auto& m = rows.coefficients();
   std::vector<WallRows::SurfaceTerm> terms;
-  std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, double>>> flux;
   for (int c = 0; c < 3; ++c) {
     const auto s = static_cast<std::size_t>(c);
     for_near(rows, c, [&](const std::array<int, 3>& at, std::size_t q) {
       if (m.row_scale[s][q] > 0.0F) {
         rows.surface_terms(c, at, terms);
-        for (const auto& term : terms) {
-          if (term.sphere < first_sphere_) {
-            continue;
-          }
-          const auto body =
-              body_of_sphere_[static_cast<std::size_t>(term.sphere - first_sphere_)];
-          const RigidMotion form =
-              term.weight * velocity_of(c, term.sphere, term.from_center);
-          if (!columns_.empty() && columns_.back().component == s &&
-              columns_.back().at == q && columns_.back().body == body) {
-            columns_.back().coefficient += form;
-          } else {
-            columns_.push_back({s, q, body, form});
-          }
-        }
-        return;
-      }
-      if (rows.on_given_face(c, at)) {
-        return;
-      }
-      const NearestSurface owner = rows.nearest(c, at[0], at[1], at[2]);
-      if (owner.sphere < first_sphere_) {
-        return;
-      }
-      const auto body =
-          body_of_sphere_[static_cast<std::size_t>(owner.sphere - first_sphere_)];
-      const RigidMotion form = velocity_of(c, owner.sphere, owner.from_center);
-      closed_.push_back({s, q, body, form});
-      // The divergence of the cells on both sides: -D lift.
-      for (int side = 0; side < 2; ++side) {
-        std::array<int, 3> cell = at;
-        cell[s] -= side;
-        cell = wrapped(grid, cell);
-        if (!inside(grid, pressure, cell)) {
-          continue;
-        }
-        const std::size_t p = grid.index(cell[0], cell[1], cell[2]);
-        if (m.cell_scale[p] > 0.0F) {
-          const double over_width = static_cast<double>(
-              rows.axes()[s].divergence[static_cast<std::size_t>(cell[s]) + 1]);
-          const double sign = side == 0 ? 1.0 : -1.0;
-          columns_.push_back({pressure, p, body, sign * over_width * form});
-        }
+        add_open_row(c, q, terms);
+      } else if (!rows.on_given_face(c, at)) {
+        add_closed_face(rows, c, at);
       }
     });
   }
+  sort_columns(rows.grid());
+  for_near(rows, pressure, [&](const std::array<int, 3>& at, std::size_t q) {
+    if (m.cell_scale[q] <= 0.0F) {
+      closed_cells_.push_back(q);
+      cell_neighbours_.push_back(open_neighbours(rows, at));
+    }
+  });
+}
+
+void BodyRows::add_open_row(int component, std::size_t q,
+                            const std::vector<WallRows::SurfaceTerm>& terms) {
+  const auto s = static_cast<std::size_t>(component);
+  for (const auto& term : terms) {
+    if (term.sphere < first_sphere_) {
+      continue;
+    }
+    const std::size_t body = body_of(term.sphere);
+    const RigidMotion form =
+        term.weight * velocity_of(component, term.sphere, term.from_center);
+    if (!columns_.empty() && columns_.back().component == s && columns_.back().at == q &&
+        columns_.back().body == body) {
+      columns_.back().coefficient += form;
+    } else {
+      columns_.push_back({s, q, body, form});
+    }
+  }
+}
+
+// Its velocity, which also enters the divergence of the cells on both sides: -D lift.
+void BodyRows::add_closed_face(const WallRows& rows, int component,
+                               const std::array<int, 3>& at) {
+  const Grid& grid = rows.grid();
+  const auto s = static_cast<std::size_t>(component);
+  const NearestSurface owner = rows.nearest(component, at[0], at[1], at[2]);
+  if (owner.sphere < first_sphere_) {
+    return;
+  }
+  const std::size_t body = body_of(owner.sphere);
+  const RigidMotion form = velocity_of(component, owner.sphere, owner.from_center);
+  closed_.push_back({s, grid.index(at[0], at[1], at[2]), body, form});
+  for (int side = 0; side < 2; ++side) {
+    std::array<int, 3> cell = at;
+    cell[s] -= side;
+    cell = wrapped(grid, cell);
+    if (!inside(grid, pressure, cell)) {
+      continue;
+    }
+    const std::size_t p = grid.index(cell[0], cell[1], cell[2]);
+    if (rows.coefficients().cell_scale[p] > 0.0F) {
+      const double over_width = static_cast<double>(
+          rows.axes()[s].divergence[static_cast<std::size_t>(cell[s]) + 1]);
+      const double sign = side == 0 ? 1.0 : -1.0;
+      columns_.push_back({pressure, p, body, sign * over_width * form});
+    }
+  }
+}
+
+void BodyRows::sort_columns(const Grid& grid) {
   std::stable_sort(columns_.begin(), columns_.end(), [&](const Term& a, const Term& b) {
     return place_of(grid, a.at)[2] < place_of(grid, b.at)[2];
   });
@@ -160,98 +179,96 @@ void BodyRows::make_columns(const WallRows& rows) {
   for (std::size_t k = planes_.size() - 1; k-- > 0;) {
     planes_[k] = std::min(planes_[k], planes_[k + 1]);
   }
-  // Closed cells that rows of the bodies read.
-  for_near(rows, pressure, [&](const std::array<int, 3>& at, std::size_t q) {
-    if (m.cell_scale[q] <= 0.0F) {
-      closed_cells_.push_back(q);
-      cell_neighbours_.push_back(open_neighbours(rows, at));
-    }
-  });
 }
 
+// What one body's wrench takes of every entry, in the order of the entries.
+struct BodyRows::Forms {
+  std::array<std::map<std::size_t, RigidMotion>, 4> of_component;
+
+  void add(int component, std::size_t entry, const RigidMotion& form) {
+    of_component[static_cast<std::size_t>(component)]
+        .try_emplace(entry, RigidMotion::Zero())
+        .first->second += form;
+  }
+  double largest() const {
+    double size = 0.0;
+    for (const auto& entries : of_component) {
+      for (const auto& [entry, form] : entries) {
+        size = std::max(size, form.lpNorm<Eigen::Infinity>());
+      }
+    }
+    return size;
+  }
+};
+
 void BodyRows::make_rows(const WallRows& rows) {
-  const Grid& grid = rows.grid();
-  const auto& m = rows.coefficients();
   const RowBalance balance(rows);
-  // Per body, component and entry.
-  std::vector<std::array<std::unordered_map<std::size_t, RigidMotion>, 4>> forms(bodies_);
-  std::vector<std::array<std::vector<std::size_t>, 4>> order(bodies_);
+  std::vector<Forms> forms(bodies_);
   for (int c = 0; c < 3; ++c) {
     for_near(rows, c, [&](const std::array<int, 3>& at, std::size_t) {
-      if (rows.on_given_face(c, at)) {
-        return;
-      }
       const NearestSurface surface = rows.nearest(c, at[0], at[1], at[2]);
-      if (surface.sphere < first_sphere_) {
+      if (rows.on_given_face(c, at) || surface.sphere < first_sphere_) {
         return;
       }
-      const auto body =
-          body_of_sphere_[static_cast<std::size_t>(surface.sphere - first_sphere_)];
+      const std::size_t body = body_of(surface.sphere);
       const RigidMotion form = velocity_of(c, surface.sphere, surface.from_center);
-      const auto add = [&](int component, std::size_t entry, double weight) {
-        const auto s = static_cast<std::size_t>(component);
-        const auto [found, fresh] =
-            forms[body][s].try_emplace(entry, RigidMotion::Zero());
-        if (fresh) {
-          order[body][s].push_back(entry);
-        }
-        found->second += weight * form;
-      };
       balance.visit(
-          c, at, [&](std::size_t entry, double weight) { add(c, entry, weight); },
-          [&](std::size_t entry, double weight) { add(pressure, entry, weight); },
-          [&](int, std::size_t entry, double weight) { add(c, entry, -weight); });
+          c, at,
+          [&](std::size_t entry, double w) { forms[body].add(c, entry, w * form); },
+          [&](std::size_t entry, double w) {
+            forms[body].add(pressure, entry, w * form);
+          },
+          [&](int, std::size_t entry, double w) {
+            forms[body].add(c, entry, -w * form);
+          });
       volumes_.block<6, 1>(6 * static_cast<Eigen::Index>(body), c) +=
           balance.volume(c, at) * form;
     });
   }
   for (std::size_t b = 0; b < bodies_; ++b) {
-    const auto row = 6 * static_cast<Eigen::Index>(b);
-    double largest = 0.0;
-    for (std::size_t s = 0; s < 4; ++s) {
-      for (std::size_t entry : order[b][s]) {
-        largest = std::max(largest, forms[b][s].at(entry).lpNorm<Eigen::Infinity>());
-      }
-    }
-    for (std::size_t s = 0; s < 4; ++s) {
-      const int component = static_cast<int>(s);
-      std::sort(order[b][s].begin(), order[b][s].end());
-      for (std::size_t entry : order[b][s]) {
-        const RigidMotion& form = forms[b][s].at(entry);
-        if (form.lpNorm<Eigen::Infinity>() <= 1e-12 * largest) {
-          continue;  // cancelled: inside the body
-        }
-        const std::array<int, 3> at = wrapped(grid, place_of(grid, entry));
-        if (!inside(grid, component, at) ||
-            (component < 3 && rows.on_given_face(component, at))) {
-          given_.push_back({s, entry, b, form});
-          continue;
-        }
-        const std::size_t q = grid.index(at[0], at[1], at[2]);
-        if (component == pressure) {
-          if (m.cell_scale[q] > 0.0F) {
-            rows_.push_back({s, q, b, form});
-            continue;
-          }
-          const auto neighbours = open_neighbours(rows, at);
-          for (std::size_t n : neighbours) {
-            rows_.push_back({s, n, b, form / static_cast<double>(neighbours.size())});
-          }
-          continue;
-        }
-        if (m.row_scale[s][q] > 0.0F) {
-          rows_.push_back({s, q, b, form});
-          continue;
-        }
-        const NearestSurface owner = rows.nearest(component, at[0], at[1], at[2]);
-        if (owner.sphere >= first_sphere_) {
-          const auto other =
-              body_of_sphere_[static_cast<std::size_t>(owner.sphere - first_sphere_)];
-          self_.block<6, 6>(row, 6 * static_cast<Eigen::Index>(other)) +=
-              form * velocity_of(component, owner.sphere, owner.from_center).transpose();
+    const double least = kCancelled * forms[b].largest();
+    for (int c = 0; c < 4; ++c) {
+      for (const auto& [entry, form] :
+           forms[b].of_component[static_cast<std::size_t>(c)]) {
+        if (form.lpNorm<Eigen::Infinity>() > least) {
+          sort_out(rows, {static_cast<std::size_t>(c), entry, b, form});
         }
       }
     }
+  }
+}
+
+// An entry of D: of an unknown, of something given, or of a closed face or cell.
+void BodyRows::sort_out(const WallRows& rows, const Term& term) {
+  const Grid& grid = rows.grid();
+  const auto& m = rows.coefficients();
+  const int component = static_cast<int>(term.component);
+  const std::array<int, 3> at = wrapped(grid, place_of(grid, term.at));
+  if (!inside(grid, component, at) ||
+      (component < 3 && rows.on_given_face(component, at))) {
+    given_.push_back(term);
+    return;
+  }
+  const std::size_t q = grid.index(at[0], at[1], at[2]);
+  const auto& open = component < 3 ? m.row_scale[term.component] : m.cell_scale;
+  if (open[q] > 0.0F) {
+    rows_.push_back({term.component, q, term.body, term.coefficient});
+    return;
+  }
+  if (component == pressure) {
+    const auto neighbours = open_neighbours(rows, at);
+    for (std::size_t n : neighbours) {
+      rows_.push_back({term.component, n, term.body,
+                       term.coefficient / static_cast<double>(neighbours.size())});
+    }
+    return;
+  }
+  const NearestSurface owner = rows.nearest(component, at[0], at[1], at[2]);
+  if (owner.sphere >= first_sphere_) {
+    self_.block<6, 6>(6 * static_cast<Eigen::Index>(term.body),
+                      6 * static_cast<Eigen::Index>(body_of(owner.sphere))) +=
+        term.coefficient *
+        velocity_of(component, owner.sphere, owner.from_center).transpose();
   }
 }
 

@@ -57,9 +57,17 @@ class BodyRows {
     std::size_t body;
     RigidMotion coefficient;
   };
-  void find_owners(const WallRows& rows, const std::vector<Body>& bodies);
+  struct Forms;
   void make_columns(const WallRows& rows);
+  void add_open_row(int component, std::size_t q,
+                    const std::vector<WallRows::SurfaceTerm>& terms);
+  void add_closed_face(const WallRows& rows, int component, const std::array<int, 3>& at);
+  void sort_columns(const Grid& grid);
   void make_rows(const WallRows& rows);
+  void sort_out(const WallRows& rows, const Term& term);
+  std::size_t body_of(int sphere) const {
+    return body_of_sphere_[static_cast<std::size_t>(sphere - first_sphere_)];
+  }
   RigidMotion velocity_of(int component, int sphere, const Vec3& from_center) const;
 
   std::size_t bodies_ = 0;
