@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 /// A realisation whose attempts are lost so often is given up: something kills them.
 constexpr int kMostLost = 100;
 
+/// Realisations in one transaction: few enough that other campaigns need not wait long.
+constexpr int kTogether = 64;
+
 bool is_there(const std::string& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
@@ -37,11 +40,19 @@ void put_checkpoint_aside(const std::string& realisation, const std::string& att
 std::vector<AttemptOf> Ingester::catch_up() {
   std::vector<AttemptOf> running;
   std::set<std::pair<std::size_t, int>> seen;
+  Batch batch(store_);
+  int count = 0;
+  const auto catch_up_with = [&](const Item& item) {
+    catch_up(item, running);
+    if (++count % kTogether == 0) {
+      batch.commit();
+    }
+  };
   for (std::size_t e = 0; e < plan_.ensembles.size(); ++e) {
     for (const int index : folder_.started(plan_.ensembles[e])) {
       const Item item{e, index};
       if (index < plan_.realisations && store_.status(item) != Status::ingested) {
-        catch_up(item, running);
+        catch_up_with(item);
         seen.insert({e, index});
       }
     }
@@ -50,9 +61,10 @@ std::vector<AttemptOf> Ingester::catch_up() {
   // folder is gone.
   for (const Item& item : store_.with_running_attempts()) {
     if (seen.count({item.ensemble, item.index}) == 0) {
-      catch_up(item, running);
+      catch_up_with(item);
     }
   }
+  batch.commit();
   return running;
 }
 
