@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/memory_file.h"
 #include "base/subprocess.h"
 
 namespace colloid {
@@ -66,12 +67,14 @@ json SolverProgram::describe(const std::vector<std::string>& options) const {
   return parsed;
 }
 
-json SolverProgram::spell_out(const std::string& scene_file) const {
-  return describe({"--scene", scene_file});
+json SolverProgram::spell_out(const json& scene) const {
+  const MemoryFile file(scene.dump(1) + "\n");
+  return describe({"--scene", file.path()});
 }
 
-json SolverProgram::regime(const std::string& scene_file) const {
-  const json answer = describe({"--json", "--regime", scene_file});
+json SolverProgram::regime(const json& scene) const {
+  const MemoryFile file(scene.dump(1) + "\n");
+  const json answer = describe({"--json", "--regime", file.path()});
   return answer.value("regime", json::object());
 }
 

@@ -1,5 +1,7 @@
 #include "commands/campaign_run.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/clock.h"
@@ -12,6 +14,9 @@
 namespace colloid {
 
 namespace {
+
+constexpr std::size_t kTogether = 100;  // results
+constexpr double kLongestLag = 0.2;     // [s] of the database
 
 long& of(std::array<long, 5>& counts, Status status) {
   return counts.at(static_cast<std::size_t>(status));
@@ -37,17 +42,18 @@ int CampaignRun::run() {
   try {
     adopt(ingester_.catch_up());
     counts_ = store_.count();
-    for (;;) {
-      Item item;
-      while (stops_ == 0 && executor_.free_slots() > 0 && next(item)) {
-        start(item);
+    start();
+    while (!active_.empty() || !ended_.empty()) {
+      if (!is_record_due()) {
+        wait_for_event();
       }
-      if (active_.empty()) {
-        break;
-      }
-      wait_for_event();
       for (const std::int64_t id : executor_.poll()) {
-        settle(id);
+        note_end(id);
+      }
+      start();
+      if (is_record_due()) {
+        record();
+        start();
       }
       progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed),
                      static_cast<long>(active_.size()));
@@ -68,9 +74,58 @@ void CampaignRun::adopt(const std::vector<AttemptOf>& running) {
     const std::int64_t id = ++last_id_;
     active_[id] = attempt;
     if (!executor_.adopt({id, folder, {}, 0.0, 0.0})) {
-      settle(id);  // it has ended since
+      note_end(id);  // it has ended since
     }
   }
+}
+
+void CampaignRun::start() {
+  std::vector<Job> jobs;
+  Item item;
+  while (stops_ == 0 && jobs.size() < executor_.free_slots() && next(item)) {
+    jobs.push_back(prepare(item));
+  }
+  if (!jobs.empty()) {
+    executor_.submit(jobs);
+  }
+}
+
+void CampaignRun::note_end(std::int64_t id) {
+  if (begun_.empty() && ended_.empty()) {
+    first_change_ = monotonic_seconds();
+  }
+  const AttemptOf& attempt = active_.at(id);
+  const std::string folder =
+      attempt_folder(folder_.realisation(plan_, attempt.item), attempt.number);
+  one_failed_ = one_failed_ || !is_file(folder + "/result.h5");
+  ended_.push_back(attempt);
+  active_.erase(id);
+  begun_.erase(id);
+}
+
+bool CampaignRun::is_record_due() const {
+  // Failures at once: there may be something to try again, or to stop for.
+  return one_failed_ || ended_.size() >= kTogether ||
+         (active_.empty() && !ended_.empty()) ||
+         ((!begun_.empty() || !ended_.empty()) &&
+          monotonic_seconds() - first_change_ >= kLongestLag);
+}
+
+void CampaignRun::record() {
+  Batch batch(store_);
+  for (const AttemptOf& attempt : ended_) {
+    settle(attempt);
+  }
+  for (const auto& [id, attempt] : begun_) {
+    const Item& item = active_.at(id).item;
+    --of(counts_, store_.status(item));
+    store_.begin_attempt(item, attempt);
+    ++of(counts_, Status::active);
+  }
+  batch.commit();
+  ended_.clear();
+  begun_.clear();
+  one_failed_ = false;
 }
 
 bool CampaignRun::next(Item& item) {
@@ -92,7 +147,7 @@ bool CampaignRun::next(Item& item) {
   return false;
 }
 
-void CampaignRun::start(const Item& item) {
+Job CampaignRun::prepare(const Item& item) {
   const std::string realisation = folder_.realisation(plan_, item);
   const bool is_first = claim_folder(realisation);
   const std::vector<int> before =
@@ -114,18 +169,17 @@ void CampaignRun::start(const Item& item) {
   attempt.started = utc_now();
   attempt.node = host_name();
   write_new(folder + "/command", attempt.command + "\n");
-  --of(counts_, store_.status(item));
-  store_.begin_attempt(item, attempt);
-  ++of(counts_, Status::active);
+  if (begun_.empty() && ended_.empty()) {
+    first_change_ = monotonic_seconds();
+  }
   const std::int64_t id = ++last_id_;
   active_[id] = {item, attempt.number};
-  executor_.submit({{id, folder, std::move(words), plan_.limits.seconds_per_realisation,
-                     plan_.limits.seconds_to_stop}});
+  begun_[id] = std::move(attempt);
+  return {id, folder, std::move(words), plan_.limits.seconds_per_realisation,
+          plan_.limits.seconds_to_stop};
 }
 
-void CampaignRun::settle(std::int64_t id) {
-  const AttemptOf ended = active_.at(id);
-  active_.erase(id);
+void CampaignRun::settle(const AttemptOf& ended) {
   --of(counts_, store_.status(ended.item));
   const Settled settled = ingester_.settle(ended.item, ended.number);
   ++of(counts_, settled.status);
@@ -140,7 +194,11 @@ void CampaignRun::settle(std::int64_t id) {
 }
 
 void CampaignRun::wait_for_event() {
-  if (signals_.wait(executor_.pace()) != Signals::Event::stop) {
+  double patience = executor_.pace();
+  if (!begun_.empty() || !ended_.empty()) {
+    patience = std::min(patience, first_change_ + kLongestLag - monotonic_seconds());
+  }
+  if (signals_.wait(patience) != Signals::Event::stop) {
     return;
   }
   ++stops_;

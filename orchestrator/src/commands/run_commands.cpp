@@ -15,6 +15,7 @@
 #include "base/files.h"
 #include "base/signals.h"
 #include "commands/campaign_run.h"
+#include "commands/dry_run.h"
 #include "commands/open_campaign.h"
 #include "commands/write_report.h"
 #include "execute/local_executor.h"
@@ -128,6 +129,11 @@ class WorkCommand : public Command {
     if (workers_ > 0) {
       plan.limits.workers = workers_;
     }
+    if (dry_run_) {
+      const nlohmann::ordered_json answer = dry_run(plan, common_);
+      std::cout << (common_.json ? answer.dump(2) + "\n" : dry_run_text(answer));
+      return exit_done;
+    }
     const SolverProgram solver = SolverProgram::find(common_.solver);
     const RunFolder folder(common_.runs, plan.campaign);
     const std::string database = absolute(common_.database);
@@ -162,6 +168,10 @@ class WorkCommand : public Command {
   virtual void prepare(const Plan&, Store&, const RunFolder&) {}
 
   const CommonOptions& common() const { return common_; }
+  void declare_dry_run(CLI::App& app) {
+    app.add_flag("--dry-run", dry_run_,
+                 "Print what would be run and why; run and write nothing");
+  }
 
  private:
   /// A place that cannot be written to is refused: nothing has begun yet.
@@ -180,13 +190,18 @@ class WorkCommand : public Command {
   std::string campaign_;
   std::string output_;
   bool no_report_ = false;
+  bool dry_run_ = false;
   int workers_ = 0;
 };
 
-class Run : public WorkCommand {};
+class Run : public WorkCommand {
+ protected:
+  void declare_more(CLI::App& app) override { declare_dry_run(app); }
+};
 
 class Resume : public WorkCommand {
  protected:
+  void declare_more(CLI::App& app) override { declare_dry_run(app); }
   void change(OpenedCampaign& opened) override {
     require(opened.exists, "campaign",
             fmt::format("{} has not been run with --runs {}: there is nothing to resume; "
@@ -239,6 +254,7 @@ class Retry : public Resume {
 class Extend : public Resume {
  protected:
   void declare_more(CLI::App& app) override {
+    declare_dry_run(app);
     auto* size = app.add_option_group("size", "Exactly one:");
     size->add_option("--by", by_, "So many more of each design point")
         ->check(CLI::Range(1, 10'000'000));

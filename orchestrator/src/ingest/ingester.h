@@ -39,7 +39,7 @@ class Ingester {
  private:
   void catch_up(const Item& item, std::vector<AttemptOf>& running);
   /// The status that the ended attempts leave a realisation in that is not ingested.
-  Status standing(const Item& item);
+  Status standing_of(const Item& item);
   /// Why the result is not that of the realisation; empty if it is.
   std::string foreign(const Item& item, const ResultRecord& result);
   std::string scene_hash_of(const std::string& scene, bool without_tier);
