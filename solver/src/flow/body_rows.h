@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "flow/level.h"
 #include "flow/wall_rows.h"

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "flow/level.h"
 

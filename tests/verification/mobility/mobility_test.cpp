@@ -1,6 +1,7 @@
 // Bodies that move in a resolved flow: see README.md beside this file.
 #include <cmath>
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "flow/stokes_solver.h"
