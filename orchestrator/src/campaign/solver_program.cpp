@@ -50,10 +50,18 @@ SolverProgram SolverProgram::find(const std::optional<std::string>& option) {
   return SolverProgram(absolute(found->string()));
 }
 
-json SolverProgram::describe(const std::vector<std::string>& options) const {
+json SolverProgram::describe(const std::vector<std::string>& options,
+                             const std::string& scene_file) const {
   std::vector<std::string> words{path_, "describe"};
   words.insert(words.end(), options.begin(), options.end());
-  const ProgramOutput output = run_program(words);
+  ProgramOutput output = run_program(words);
+  if (!scene_file.empty()) {
+    // The file is our own affair: its name says nothing, and changes from run to run.
+    for (std::size_t at = output.err.find(scene_file); at != std::string::npos;
+         at = output.err.find(scene_file, at)) {
+      output.err.replace(at, scene_file.size(), "scene");
+    }
+  }
   if (output.exit_code == 2) {
     std::string why = output.err.substr(0, output.err.find('\n'));
     const std::size_t name = why.find(": ");
@@ -69,12 +77,12 @@ json SolverProgram::describe(const std::vector<std::string>& options) const {
 
 json SolverProgram::spell_out(const json& scene) const {
   const MemoryFile file(scene.dump(1) + "\n");
-  return describe({"--scene", file.path()});
+  return describe({"--scene", file.path()}, file.path());
 }
 
 json SolverProgram::regime(const json& scene) const {
   const MemoryFile file(scene.dump(1) + "\n");
-  const json answer = describe({"--json", "--regime", file.path()});
+  const json answer = describe({"--json", "--regime", file.path()}, file.path());
   return answer.value("regime", json::object());
 }
 

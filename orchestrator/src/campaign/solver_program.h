@@ -35,7 +35,8 @@ class SolverProgram {
                                        const std::string& result_file) const;
 
  private:
-  nlohmann::json describe(const std::vector<std::string>& options) const;
+  nlohmann::json describe(const std::vector<std::string>& options,
+                          const std::string& scene_file) const;
 
   std::string path_;
 };
