@@ -14,7 +14,7 @@ export cache headers extra
 check_one() {
   local stamp
   stamp="$cache/$(cat "$1" <(echo "$headers") | sha1sum | cut -d' ' -f1)"
-  [ -e "$stamp" ] || { clang-tidy-14 --quiet "$extra" -p build/ci "$1" 2>/dev/null && touch "$stamp"; }
+  [ -e "$stamp" ] || { clang-tidy-14 --quiet "$extra" --extra-arg=-Wno-overlength-strings -p build/ci "$1" 2>/dev/null && touch "$stamp"; }
 }
 export -f check_one
 git ls-files -z 'solver/src/*.cpp' 'orchestrator/src/*.cpp' | xargs -0 -r -n 1 -P "$(nproc)" bash -c 'check_one "$0"'
