@@ -1,6 +1,7 @@
 #include "particles/integrator.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -332,6 +333,7 @@ void Integrator::count_overlaps(const std::vector<Touch>& touches) {
 
 double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
                            const std::optional<Forcing>& forcing) {
+  assert(!forcing || forcing->step <= longest);  // or it is too weak for the step
   if (bodies.empty()) {
     return longest;
   }

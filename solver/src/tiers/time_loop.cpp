@@ -175,16 +175,16 @@ void TimeLoop::step() {
   const double longest = std::max(0.0, until - s.time);
   double taken = longest;
   if (longest > 0.0) {
-    std::optional<Forcing> forcing;
-    if (parts_.brownian && !s.bodies.empty()) {
-      forcing = thermal_forcing(longest);
-      ++s.thermal_steps;
-    }
     if (parts_.motion.begin_step(s.bodies, integrator_.contacts(),
                                  integrator_.motion())) {
       integrator_.refresh(s.bodies);
     }
     const double allowed = std::min(longest, parts_.motion.longest_step(s.bodies));
+    std::optional<Forcing> forcing;
+    if (parts_.brownian && !s.bodies.empty()) {
+      forcing = thermal_forcing(allowed);  // as strong as its step is short
+      ++s.thermal_steps;
+    }
     taken = integrator_.advance(s.bodies, allowed, forcing);
     for (const RigidBody& body : s.bodies) {
       if (!std::isfinite(dot(body.centre, body.centre))) {
