@@ -32,6 +32,12 @@ struct Member {
   AmbientMotion ambient;
 };
 
+Vector6 normal_row(const std::vector<RigidBody>& bodies, const Member& member,
+                   const Vec3& n, double radius) {
+  return normal_row(bodies[static_cast<std::size_t>(member.body)],
+                    static_cast<std::size_t>(member.index), n, radius);
+}
+
 std::vector<Member> members_of(const std::vector<RigidBody>& bodies) {
   std::vector<Member> members;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -118,15 +124,8 @@ void OneWayMotion::add_pairs(const std::vector<RigidBody>& bodies, Assembly& out
       PairTerm term;
       term.first = members[i].body;
       term.second = members[j].body;
-      const auto row = [&](const Member& member, double sign) {
-        const Vec3& arm = bodies[static_cast<std::size_t>(member.body)]
-                              .arms[static_cast<std::size_t>(member.index)];
-        Vector6 six;
-        six << sign * eigen(n), sign * eigen(cross(arm, n)) / a;
-        return six;
-      };
-      term.row_first = row(members[i], 1.0);
-      term.row_second = row(members[j], -1.0);
+      term.row_first = normal_row(bodies, members[i], n, a);
+      term.row_second = -normal_row(bodies, members[j], n, a);
       term.strength = 0.5 * pair.squeeze;
       term.drive = 0.5 * pair.drive * dot(v, n);
       out.pair_loads.push_back(
@@ -220,12 +219,11 @@ ContactRow OneWayMotion::contact_row(const std::vector<RigidBody>& bodies,
     const Vec3 e = shortest(surfaces_.box(), x, bodies[other].position(other_m));
     n = e * (1.0 / norm(e));
     row.second = contact.other_body;
-    row.row_second << -eigen(n),
-        -eigen(cross(bodies[other].arms[other_m], n)) / options_.radius;
+    row.row_second = -normal_row(bodies[other], other_m, n, options_.radius);
   } else {
     n = surfaces_.seen_from(x, contact.fixed).normal;
   }
-  row.row_first << eigen(n), eigen(cross(bodies[b].arms[m], n)) / options_.radius;
+  row.row_first = normal_row(bodies[b], m, n, options_.radius);
   return row;
 }
 
@@ -281,12 +279,17 @@ std::vector<BodyWrench> OneWayMotion::held_wrenches(
   return out;
 }
 
-// From common units: (U, a w) and (F, T/a) over the drag.
-Eigen::MatrixXd OneWayMotion::in_si(const Eigen::MatrixXd& resistance) const {
-  Eigen::VectorXd arm = Eigen::VectorXd::Ones(resistance.rows());
-  for (Eigen::Index n = 0; n < arm.size(); ++n) {
+// What common units, (U, a w) and (F, T/a) over the drag, leave out: 1 and a in turn.
+Eigen::VectorXd OneWayMotion::arms(Eigen::Index size) const {
+  Eigen::VectorXd arm = Eigen::VectorXd::Ones(size);
+  for (Eigen::Index n = 0; n < size; ++n) {
     arm[n] = n % 6 < 3 ? 1.0 : options_.radius;
   }
+  return arm;
+}
+
+Eigen::MatrixXd OneWayMotion::in_si(const Eigen::MatrixXd& resistance) const {
+  const Eigen::VectorXd arm = arms(resistance.rows());
   return drag_ * arm.asDiagonal() * resistance * arm.asDiagonal();
 }
 
@@ -336,10 +339,7 @@ LinearMotion OneWayMotion::linear(const std::vector<RigidBody>& bodies,
   }
   LinearMotion out;
   out.resistance = in_si(resistance);
-  Eigen::VectorXd arm = Eigen::VectorXd::Ones(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    arm[i] = i % 6 < 3 ? 1.0 : options_.radius;
-  }
+  const Eigen::VectorXd arm = arms(n);
   out.drive = drag_ * arm.cwiseProduct(drive);
   out.load = drag_ * arm.cwiseProduct(load);
   out.motions = arm.cwiseInverse().asDiagonal() * freedom;
@@ -394,13 +394,11 @@ Eigen::MatrixXd OneWayMotion::lubrication(const std::vector<RigidBody>& bodies,
       if (gap >= kResolvedCells * cell) {
         continue;
       }
-      const Vec3 n_hat = e * (1.0 / r);
-      const Vec3& other_arm = bodies[static_cast<std::size_t>(two.body)]
-                                  .arms[static_cast<std::size_t>(two.index)];
+      const Vec3 along = e * (1.0 / r);
       Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-      row.segment<6>(at) << eigen(n_hat), eigen(cross(arm, n_hat)) / a;
-      row.segment<6>(6 * static_cast<Eigen::Index>(two.body)) << -eigen(n_hat),
-          -eigen(cross(other_arm, n_hat)) / a;
+      row.segment<6>(at) = normal_row(bodies, one, along, a);
+      row.segment<6>(6 * static_cast<Eigen::Index>(two.body)) =
+          -normal_row(bodies, two, along, a);
       const double beyond =
           pair_hindrance_->at(gap / a).squeeze -
           pair_hindrance_->at(cell * gap_seen_by_grid(gap / cell) / a).squeeze;

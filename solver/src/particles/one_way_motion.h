@@ -69,6 +69,7 @@ class OneWayMotion : public MotionModel {
                          const Contact& contact) const;
   double surface_force(const NearSurface& surface) const;
   Matrix6 narrow_gaps(const Vec3& position, double cell) const;
+  Eigen::VectorXd arms(Eigen::Index size) const;
   Eigen::MatrixXd in_si(const Eigen::MatrixXd& resistance) const;
 
   OneWayOptions options_;
