@@ -13,44 +13,11 @@ namespace {
 // Of the largest, below which an entry has cancelled: inside a body.
 constexpr double kCancelled = 1e-12;
 
-// A place in the grid whose halo index stands for a periodic copy.
-std::array<int, 3> wrapped(const Grid& grid, std::array<int, 3> at) {
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (grid.periodic[a]) {
-      at[a] = (at[a] + grid.cells[a]) % grid.cells[a];
-    }
-  }
-  return at;
-}
-
-std::array<int, 3> place_of(const Grid& grid, std::size_t index) {
-  const auto offset = static_cast<std::ptrdiff_t>(index);
-  const auto k = offset / grid.stride_z;
-  const auto j = (offset - k * grid.stride_z) / grid.stride_y;
-  const auto i = offset - k * grid.stride_z - j * grid.stride_y;
-  // index(-1, -1, -1) need not be zero: what index(0, 0, 0) is, is known.
-  const auto origin = static_cast<std::ptrdiff_t>(grid.origin);
-  const auto ok = origin / grid.stride_z;
-  const auto oj = (origin - ok * grid.stride_z) / grid.stride_y;
-  const auto oi = origin - ok * grid.stride_z - oj * grid.stride_y;
-  return {static_cast<int>(i - oi), static_cast<int>(j - oj), static_cast<int>(k - ok)};
-}
-
-bool inside(const Grid& grid, int component, const std::array<int, 3>& at) {
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (at[a] < 0 || at[a] >= grid.end(component, static_cast<int>(a))) {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Calls visit(at) once for every place near a moving sphere.
+// Calls visit(indices, entry) once for every place near a moving sphere.
 template <class Visit>
 void for_near(const WallRows& rows, int component, const Visit& visit) {
   const Grid& grid = rows.grid();
   std::vector<std::size_t> places;
-  std::vector<std::array<int, 3>> found;
   for (const WallRows::IndexBox& box : rows.moving_boxes(component)) {
     for (int k = box.begin[2]; k < box.end[2]; ++k) {
       for (int j = box.begin[1]; j < box.end[1]; ++j) {
@@ -63,7 +30,7 @@ void for_near(const WallRows& rows, int component, const Visit& visit) {
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   for (std::size_t q : places) {
-    visit(place_of(grid, q), q);
+    visit(grid.place(q), q);
   }
 }
 
@@ -154,8 +121,8 @@ void BodyRows::add_closed_face(const WallRows& rows, int component,
   for (int side = 0; side < 2; ++side) {
     std::array<int, 3> cell = at;
     cell[s] -= side;
-    cell = wrapped(grid, cell);
-    if (!inside(grid, pressure, cell)) {
+    cell = grid.wrapped(cell);
+    if (!grid.contains(pressure, cell)) {
       continue;
     }
     const std::size_t p = grid.index(cell[0], cell[1], cell[2]);
@@ -170,11 +137,11 @@ void BodyRows::add_closed_face(const WallRows& rows, int component,
 
 void BodyRows::sort_columns(const Grid& grid) {
   std::stable_sort(columns_.begin(), columns_.end(), [&](const Term& a, const Term& b) {
-    return place_of(grid, a.at)[2] < place_of(grid, b.at)[2];
+    return grid.place(a.at)[2] < grid.place(b.at)[2];
   });
   planes_.assign(static_cast<std::size_t>(grid.cells[2]) + 2, columns_.size());
   for (std::size_t n = columns_.size(); n-- > 0;) {
-    planes_[static_cast<std::size_t>(place_of(grid, columns_[n].at)[2])] = n;
+    planes_[static_cast<std::size_t>(grid.place(columns_[n].at)[2])] = n;
   }
   for (std::size_t k = planes_.size() - 1; k-- > 0;) {
     planes_[k] = std::min(planes_[k], planes_[k + 1]);
@@ -243,8 +210,8 @@ void BodyRows::sort_out(const WallRows& rows, const Term& term) {
   const Grid& grid = rows.grid();
   const auto& m = rows.coefficients();
   const int component = static_cast<int>(term.component);
-  const std::array<int, 3> at = wrapped(grid, place_of(grid, term.at));
-  if (!inside(grid, component, at) ||
+  const std::array<int, 3> at = grid.wrapped(grid.place(term.at));
+  if (!grid.contains(component, at) ||
       (component < 3 && rows.on_given_face(component, at))) {
     given_.push_back(term);
     return;
@@ -273,14 +240,13 @@ void BodyRows::sort_out(const WallRows& rows, const Term& term) {
 }
 
 template <class Real>
-void BodyRows::add_columns(const Eigen::VectorXd& v, double sign, StokesVector<Real>& w,
-                           int k) const {
+void BodyRows::add_columns(const Eigen::VectorXd& v, StokesVector<Real>& w, int k) const {
   for (std::size_t n = planes_[static_cast<std::size_t>(k)];
        n < planes_[static_cast<std::size_t>(k) + 1]; ++n) {
     const Term& term = columns_[n];
     const double value =
         term.coefficient.dot(v.segment<6>(6 * static_cast<Eigen::Index>(term.body)));
-    w.a[term.component][term.at] += static_cast<Real>(sign * value);
+    w.a[term.component][term.at] += static_cast<Real>(value);
   }
 }
 
@@ -337,9 +303,9 @@ void BodyRows::clear(const WallRows& rows, StokesVector<double>& x) const {
   }
 }
 
-template void BodyRows::add_columns(const Eigen::VectorXd&, double, StokesVector<float>&,
+template void BodyRows::add_columns(const Eigen::VectorXd&, StokesVector<float>&,
                                     int) const;
-template void BodyRows::add_columns(const Eigen::VectorXd&, double, StokesVector<double>&,
+template void BodyRows::add_columns(const Eigen::VectorXd&, StokesVector<double>&,
                                     int) const;
 template Eigen::VectorXd BodyRows::apply_rows(const StokesVector<float>&) const;
 template Eigen::VectorXd BodyRows::apply_rows(const StokesVector<double>&) const;

@@ -33,10 +33,9 @@ class BodyRows {
 
   std::size_t size() const { return 6 * bodies_; }  ///< of V
 
-  /// w += sign G V on the plane k.
+  /// w += G V on the plane k.
   template <class Real>
-  void add_columns(const Eigen::VectorXd& v, double sign, StokesVector<Real>& w,
-                   int k) const;
+  void add_columns(const Eigen::VectorXd& v, StokesVector<Real>& w, int k) const;
   /// D x; halos of x are filled.
   template <class Real>
   Eigen::VectorXd apply_rows(const StokesVector<Real>& x) const;

@@ -33,9 +33,8 @@ std::vector<std::size_t> open_neighbours(const WallRows& rows,
     for (int step : {-1, 1}) {
       std::array<int, 3> near = cell;
       near[a] += step;
-      if (grid.periodic[a]) {
-        near[a] = (near[a] + grid.cells[a]) % grid.cells[a];
-      } else if (near[a] < 0 || near[a] >= grid.cells[a]) {
+      near = grid.wrapped(near);
+      if (!grid.contains(pressure, near)) {
         continue;
       }
       const std::size_t n = grid.index(near[0], near[1], near[2]);

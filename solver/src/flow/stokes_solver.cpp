@@ -426,11 +426,11 @@ class BodyBorder : public KrylovBorder {
   std::size_t size() const override { return static_cast<std::size_t>(motions_.cols()); }
   void add_columns(const Eigen::VectorXd& q, StokesVector<double>& w,
                    int k) const override {
-    rows_.add_columns(motions_ * q, 1.0, w, k);
+    rows_.add_columns(motions_ * q, w, k);
   }
   void add_columns(const Eigen::VectorXd& q, StokesVector<float>& w,
                    int k) const override {
-    rows_.add_columns(motions_ * q, 1.0, w, k);
+    rows_.add_columns(motions_ * q, w, k);
   }
   Eigen::VectorXd rows(const StokesVector<double>& x,
                        const Eigen::VectorXd& q) const override {
@@ -542,7 +542,7 @@ const StokesStatistics& StokesSolver::solve(const BodyBalance& balance) {
   double square = 0.0;
   const LevelView level = view(*rows_);
   for (int k = 0; k < level.end[2]; ++k) {
-    body_rows_->add_columns(given, 1.0, right_side, k);
+    body_rows_->add_columns(given, right_side, k);
     square += dot_plane(level, right_side, right_side, k);
   }
   solve_system(right_side, x_, &part, std::sqrt(square + part.g.squaredNorm()),

@@ -560,9 +560,7 @@ void WallRows::surface_terms(int component, const std::array<int, 3>& at,
       }
       std::array<int, 3> next = at;
       next[s] += sign;
-      if (grid_.periodic[s]) {
-        next[s] = (next[s] + grid_.cells[s]) % grid_.cells[s];
-      }
+      next = grid_.wrapped(next);
       if (on_given_face(component, next)) {
         continue;
       }

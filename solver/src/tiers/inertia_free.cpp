@@ -55,8 +55,7 @@ InertiaFreeScene::InertiaFreeScene(const Scene& the_scene, const RunOptions& opt
       radius(0.5 * scene.colloids->diameter),
       inlet(clean_inlet(scene)),
       plan(make_injection_plan(scene, inlet.capture_gap)),
-      cells(choose_cells(scene, {})),
-      flow(scene, cells, options.threads),
+      flow(scene, choose_cells(scene, {}), options.threads),
       regime(regime_of(scene, flow)),
       contacts(contacts_of(scene, radius, inlet.mean_speed)),
       surfaces(scene.geometry.box, scene.geometry.spheres, hindrance_range(radius)) {

@@ -30,7 +30,6 @@ struct InertiaFreeScene {
   double radius;  ///< a of every colloid [m]
   CleanInlet inlet;
   InjectionPlan plan;
-  std::array<int, 3> cells;
   DepositFlow flow;
   Regime regime;
   SurfaceModel contacts;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "tiers/flow_problem.h"
 #include "tiers/inertia_free.h"
 #include "tiers/resolved_motion.h"
 
@@ -25,19 +24,15 @@ std::optional<Realisation> run_quasi_steady(const Scene& scene,
   const bool full = scene.fidelity.lubrication == Lubrication::full;
   const OneWayMotion model(ready.motion_options(full, full), ready.flow, ready.surfaces,
                            ready.grain_radii);
-  const StokesProblem problem = make_flow_problem(scene, {}, ready.cells);
-  double cell = std::numeric_limits<double>::max();
-  for (int a = 0; a < 3; ++a) {
-    cell =
-        std::min(cell, problem.box.size[a] / problem.cells[static_cast<std::size_t>(a)]);
-  }
+  const StokesSolver& clean = ready.flow.solver();
+  const double cell = clean.length_unit();
   ResolvedOptions resolved;
   resolved.radius = ready.radius;
   resolved.most_travel = kMostTravel * cell;
   resolved.cell = full ? cell : 0.0;
   resolved.tolerance = std::max(kTolerance, scene.fidelity.tolerance);
   resolved.threads = options.threads;
-  ResolvedMotion motion(resolved, problem, model);
+  ResolvedMotion motion(resolved, clean.problem(), model);
   return TimeLoop(scene, options, ready.loop_parts(options, motion)).run();
 }
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "scene/read_scene.h"
-#include "tiers/flow_problem.h"
 #include "tiers/inertia_free.h"
 #include "tiers/resolved_motion.h"
 
@@ -35,10 +34,10 @@ TEST(Agreement, ALonelyColloidFarFromWallsMovesAsInTheTierOneWay) {
                                ready.surfaces, {});
     ResolvedOptions options;
     options.radius = ready.radius;
-    options.cell = scene.geometry.box.size.x / ready.cells[0];
+    options.cell = ready.flow.solver().length_unit();
     options.most_travel = 0.5 * options.cell;
     options.tolerance = 1e-6;
-    ResolvedMotion resolved(options, make_flow_problem(scene, {}, ready.cells), one_way);
+    ResolvedMotion resolved(options, ready.flow.solver().problem(), one_way);
     double worst = 0.0;
     for (const Vec3& x : {Vec3{41e-6, 39e-6, 30e-6}, Vec3{24e-6, 33e-6, 41e-6}}) {
       const std::vector<RigidBody> bodies{single(MobileColloid{0, 0.0, x}, x)};
