@@ -51,16 +51,16 @@ SolverProgram SolverProgram::find(const std::optional<std::string>& option) {
 }
 
 json SolverProgram::describe(const std::vector<std::string>& options,
-                             const std::string& scene_file) const {
+                             const json& scene) const {
+  const MemoryFile file(scene.dump(1) + "\n");
   std::vector<std::string> words{path_, "describe"};
   words.insert(words.end(), options.begin(), options.end());
+  words.push_back(file.path());
   ProgramOutput output = run_program(words);
-  if (!scene_file.empty()) {
-    // The file is our own affair: its name says nothing, and changes from run to run.
-    for (std::size_t at = output.err.find(scene_file); at != std::string::npos;
-         at = output.err.find(scene_file, at)) {
-      output.err.replace(at, scene_file.size(), "scene");
-    }
+  // The file is our own affair: its name says nothing, and changes from run to run.
+  for (std::size_t at = output.err.find(file.path()); at != std::string::npos;
+       at = output.err.find(file.path(), at)) {
+    output.err.replace(at, file.path().size(), "scene");
   }
   if (output.exit_code == 2) {
     std::string why = output.err.substr(0, output.err.find('\n'));
@@ -76,14 +76,11 @@ json SolverProgram::describe(const std::vector<std::string>& options,
 }
 
 json SolverProgram::spell_out(const json& scene) const {
-  const MemoryFile file(scene.dump(1) + "\n");
-  return describe({"--scene", file.path()}, file.path());
+  return describe({"--scene"}, scene);
 }
 
 json SolverProgram::regime(const json& scene) const {
-  const MemoryFile file(scene.dump(1) + "\n");
-  const json answer = describe({"--json", "--regime", file.path()}, file.path());
-  return answer.value("regime", json::object());
+  return describe({"--json", "--regime"}, scene).value("regime", json::object());
 }
 
 std::vector<std::string> SolverProgram::run_command(

@@ -36,7 +36,7 @@ class SolverProgram {
 
  private:
   nlohmann::json describe(const std::vector<std::string>& options,
-                          const std::string& scene_file) const;
+                          const nlohmann::json& scene) const;
 
   std::string path_;
 };
