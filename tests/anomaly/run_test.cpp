@@ -83,9 +83,7 @@ TEST(InterruptedRun, EndsWithTheSameDatasetsAfterManySignals) {
 }
 
 TEST(InterruptedRun, EndsWithTheSameDatasetsInTheTierQuasiSteady) {
-  std::string scene = clogging_scene("0.15 s");
-  scene.replace(scene.find("one_way"), 7, "quasi_steady");
-  interrupt_often(scene);
+  interrupt_often(in_tier(clogging_scene("0.15 s"), "quasi_steady"));
 }
 
 TEST(InterruptedRun, GoesOnFromItsLastIntervalAfterAKill) {

@@ -43,9 +43,8 @@ TEST(Run, StopsWhenClogged) {
 }
 
 TEST(Run, ChoosesATierAndSaysWhy) {
-  std::string text = clogging_scene("0.05 s");
-  text.replace(text.find("one_way"), 7, "auto");
-  const std::string scene = write_temporary("auto.json", text);
+  const std::string scene =
+      write_temporary("auto.json", in_tier(clogging_scene("0.05 s"), "auto"));
   const Outcome outcome =
       run_program("run " + scene + " -o " + temporary("auto.h5") + " --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -57,8 +56,7 @@ TEST(Run, ChoosesATierAndSaysWhy) {
 
 TEST(Run, ResolvesEveryColloidInTheTierQuasiSteady) {
   for (const std::string lubrication : {"full", "resolved_only"}) {
-    std::string text = clogging_scene("0.1 s");
-    text.replace(text.find("one_way"), 7, "quasi_steady");
+    std::string text = in_tier(clogging_scene("0.1 s"), "quasi_steady");
     text.replace(text.find(R"("hindrance": "wall")"), 19,
                  R"("lubrication": ")" + lubrication + R"(")");
     const std::string scene = write_temporary("resolved.json", text);
