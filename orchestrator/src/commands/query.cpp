@@ -96,10 +96,10 @@ class Printer {
           std::cout << "{\"schema_version\": 1,\n \"columns\": " << json(names).dump()
                     << ",\n \"rows\": [";
         },
-        [&](Row& row) {
+        [&](const Row& row) {
           nlohmann::ordered_json object = nlohmann::ordered_json::object();
           for (std::size_t i = 0; i < row.size(); ++i) {
-            object[names[i]] = std::move(row[i]);
+            object[names[i]] = row[i];
           }
           std::cout << separator
                     << object.dump(-1, ' ', false, json::error_handler_t::replace);
