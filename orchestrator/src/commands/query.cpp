@@ -96,7 +96,7 @@ class Printer {
           std::cout << "{\"schema_version\": 1,\n \"columns\": " << json(names).dump()
                     << ",\n \"rows\": [";
         },
-        [&](Row& row) {
+        [&](const Row& row) {
           nlohmann::ordered_json object = nlohmann::ordered_json::object();
           for (std::size_t i = 0; i < row.size(); ++i) {
             object[names[i]] = row[i];
