@@ -34,6 +34,38 @@ inline AmbientMotion at_rest(const Vec3&, double) {
   return {};
 }
 
+/// The shear u_x = rate z.
+inline AmbientMotion shear_along_x(double rate, double z) {
+  AmbientMotion motion;
+  motion.velocity = {rate * z, 0.0, 0.0};
+  motion.spin = {0.0, 0.5 * rate, 0.0};
+  motion.strain(0, 2) = motion.strain(2, 0) = 0.5 * rate;
+  return motion;
+}
+
+/// The Stokes flow of a stream U past a sphere of radius b at the origin, at x: what
+/// Faxen's laws make of it for a sphere of radius a.  Of the strain, its part E.x.
+inline AmbientMotion stream_past_sphere(const Vec3& stream, double b, const Vec3& x,
+                                        double a) {
+  const double r = norm(x);
+  const Vector3 n = eigen(x) / r;
+  const Vector3 along = n * n.dot(eigen(stream));
+  const Vector3 across = eigen(stream) - along;
+  const double far = b / r;
+  const double near = (b * b * b + a * a * b) / (r * r * r);
+  AmbientMotion motion;
+  motion.velocity = plain(along * (1.0 - 1.5 * far + 0.5 * near) +
+                          across * (1.0 - 0.75 * far - 0.25 * near));
+  // Half of the vorticity 3b/(2 r^2) n x U.
+  motion.spin = plain(n.cross(across)) * (0.75 * far / r);
+  // Slopes of the above, with a^2/10 lap: (b^3 + 3/5 a^2 b) for (b^3 + a^2 b).
+  const double dipole = 1.5 * (b * b * b + 0.6 * a * a * b) / (r * r * r * r);
+  const Vector3 slope = along * (1.5 * far / r - dipole) + across * (0.5 * dipole);
+  motion.strain =
+      slope * n.transpose() + n * slope.transpose() - n.dot(slope) * n * n.transpose();
+  return motion;
+}
+
 /// Periodic everywhere: so large that no image matters.
 inline Box wide_box(double edge) {
   Box box;

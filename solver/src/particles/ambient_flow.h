@@ -1,7 +1,7 @@
 // The flow that carries a colloid, as if the colloid were not there.
 #pragma once
 
-#include "core/vec3.h"
+#include "particles/small_matrix.h"
 
 namespace colloid {
 
@@ -9,8 +9,9 @@ namespace colloid {
 /// and torque takes on by Faxen's laws.                                         MODEL
 /// (P1)
 struct AmbientMotion {
-  Vec3 velocity;  ///< [m/s]
-  Vec3 spin;      ///< angular velocity, half the vorticity [rad/s]
+  Vec3 velocity;                     ///< [m/s]
+  Vec3 spin;                         ///< angular velocity, half the vorticity [rad/s]
+  Matrix3 strain = Matrix3::Zero();  ///< rate of strain [1/s]
 };
 
 class AmbientFlow {

@@ -16,43 +16,76 @@ constexpr double kTurn = 4.0 / 3.0;      // 8 pi mu a^3 over 6 pi mu a^3
 constexpr double kSmallestRatio = 0.05;  // of the pair functions
 constexpr double kLargestRatio = 20.0;   // beyond: a plane
 constexpr double kWeightOne = 0.5 * kHindranceReach;
+// A sphere so wide that its tangent plane stands for it in what surfaces shield each
+// other from.
+constexpr double kWideRatio = 2.0;
 
 // What a surface with normal n does: factors along n and across it.
 struct Factors {
   double f_n, f_t;  // force of translation
   double t_t;       // coupling, in units of 8 pi mu a^2
   double t_r, t_n;  // torque of rotation across, about n
-  double drive_n, drive_t, drive_r;
+  double drive_n;   // of the flow along n
+  // Force and torque per strain across n over a, of a flow that does not slip on the
+  // surface, beyond those of its velocity and spin.
+  double strain_force, strain_torque;
+  bool wide;  // like a plane to what it shields
 };
 
 Factors beside_plane(double gap_over_radius) {
   const WallResistance w = wall_resistance(gap_over_radius);
-  return {w.f_n, w.f_t, w.t_t, w.t_r, w.t_n, w.f_e, w.f_s, w.t_s};
+  const double h = 1.0 + gap_over_radius;  // of the centre
+  // In the shear u_x = S z: velocity S h, spin and strain S/2.
+  return {w.f_n,
+          w.f_t,
+          w.t_t,
+          w.t_r,
+          w.t_n,
+          w.f_e,
+          2.0 * h * (w.f_s - w.f_t) + kTurn * w.t_t,
+          kTurn * (w.t_s - w.t_r + 2.0 * h * w.t_t),
+          true};
 }
 
-// The pair functions with d = -n and sphere 2 held.
-Factors beside_sphere(const PairResistance& r, const StreamDrive& drive) {
-  return {r.xa11, r.ya11, -0.5 * r.yb11, r.yc11, r.xc11, drive.n, drive.t, drive.r};
+// The pair functions with d = -n and sphere 2, `ratio` times as wide, held.
+Factors beside_sphere(const PairResistance& r, const StreamDrive& drive, double ratio,
+                      double gap_over_radius) {
+  const double t_t = -0.5 * r.yb11;
+  // In a stream past the surface.
+  const FaxenPastSphere flow = faxen_past_sphere(ratio, 1.0 + ratio + gap_over_radius);
+  const double force = (drive.t - r.ya11) * flow.velocity + kTurn * t_t * flow.spin;
+  const double torque = kTurn * ((drive.r - r.yc11) * flow.spin + t_t * flow.velocity);
+  return {r.xa11,
+          r.ya11,
+          t_t,
+          r.yc11,
+          r.xc11,
+          drive.n,
+          force / flow.strain,
+          torque / flow.strain,
+          ratio >= kWideRatio};
 }
 
-void add_factors(const Factors& f, double weight, const Vector3& n,
+void add_factors(const Factors& f, double weight, double height, const Vector3& n,
                  const AmbientMotion& ambient, double radius, HeldColloid& held) {
   const Matrix3 along = n * n.transpose();
   const Matrix3 across = Matrix3::Identity() - along;
   // F gets +4/3 t_t W x n, T gets +4/3 t_t n x U; resistance is minus that.
   const Matrix3 coupling = kTurn * f.t_t * skew(n);
-  held.resistance.topLeftCorner<3, 3>() +=
-      weight * ((f.f_n - 1.0) * along + (f.f_t - 1.0) * across);
-  held.resistance.bottomRightCorner<3, 3>() +=
-      weight * kTurn * ((f.t_n - 1.0) * along + (f.t_r - 1.0) * across);
-  held.resistance.topRightCorner<3, 3>() += weight * coupling;
-  held.resistance.bottomLeftCorner<3, 3>() -= weight * coupling;
-  const Vector3 u = eigen(ambient.velocity);
-  const Vector3 w = eigen(ambient.spin) * radius;
-  held.drive.head<3>() +=
-      weight * ((f.drive_n - 1.0) * (along * u) + (f.drive_t - 1.0) * (across * u));
-  held.drive.tail<3>() +=
-      weight * kTurn * ((f.t_n - 1.0) * (along * w) + (f.drive_r - 1.0) * (across * w));
+  Matrix6 resistance;
+  resistance << (f.f_n - 1.0) * along + (f.f_t - 1.0) * across, coupling, -coupling,
+      kTurn * ((f.t_n - 1.0) * along + (f.t_r - 1.0) * across);
+  held.resistance += weight * resistance;
+  if (f.wide) {
+    held.wide.push_back(
+        {n, height, 1.0 + weight * (f.f_n - 1.0), 1.0 + weight * (f.f_t - 1.0)});
+  }
+  const Vector3 strain = radius * (across * (ambient.strain * n));
+  Vector6 beyond;
+  beyond << (f.drive_n - f.f_n) * (along * eigen(ambient.velocity)) +
+                f.strain_force * strain,
+      f.strain_torque * n.cross(strain);
+  held.drive += weight * beyond;
 }
 
 }  // namespace
@@ -63,11 +96,18 @@ double hindrance_weight(double gap_over_radius) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-HeldColloid isolated(const AmbientMotion& ambient, double radius) {
+HeldColloid isolated() {
   HeldColloid held;
   held.resistance.diagonal() << 1.0, 1.0, 1.0, kTurn, kTurn, kTurn;
-  held.drive << eigen(ambient.velocity), kTurn * radius * eigen(ambient.spin);
   return held;
+}
+
+void let_shield_and_carry(const AmbientMotion& ambient, double radius,
+                          HeldColloid& held) {
+  held.resistance.topLeftCorner<3, 3>() += shielding(held.wide);
+  Vector6 carried;
+  carried << eigen(ambient.velocity), radius * eigen(ambient.spin);
+  held.drive += held.resistance * carried;
 }
 
 SurfaceHindrance::Neighbour::Neighbour(double ratio) : resistance(ratio), stream(ratio) {}
@@ -90,25 +130,23 @@ SurfaceHindrance::SurfaceHindrance(double radius, const std::vector<double>& sph
 
 void SurfaceHindrance::add(const NearSurface& surface, double least_gap,
                            const AmbientMotion& ambient, HeldColloid& held) const {
-  const double gap = std::max(surface.distance - radius_, least_gap);
-  const Vector3 n = eigen(surface.normal);
-  if (std::isinf(surface.radius)) {
-    add_factors(beside_plane(gap / radius_), 1.0, n, ambient, radius_, held);
-    return;
-  }
-  const double weight = hindrance_weight(gap / radius_);
+  const double gap = std::max(surface.distance - radius_, least_gap) / radius_;
+  const bool plane = std::isinf(surface.radius);
+  const double weight = plane ? 1.0 : hindrance_weight(gap);
   if (weight == 0.0) {
     return;
   }
-  const auto found = neighbours_.find(surface.radius);
+  const auto found = plane ? neighbours_.end() : neighbours_.find(surface.radius);
+  Factors factors{};
   if (found == neighbours_.end()) {
-    add_factors(beside_plane(gap / radius_), weight, n, ambient, radius_, held);
-    return;
+    factors = beside_plane(gap);
+  } else {
+    const double ratio = surface.radius / radius_;
+    const double xi = 2.0 * gap / (1.0 + ratio);
+    factors = beside_sphere(found->second.resistance.at(xi), found->second.stream.at(xi),
+                            ratio, gap);
   }
-  const double xi = 2.0 * gap / (radius_ + surface.radius);
-  const Neighbour& neighbour = found->second;
-  add_factors(beside_sphere(neighbour.resistance.at(xi), neighbour.stream.at(xi)), weight,
-              n, ambient, radius_, held);
+  add_factors(factors, weight, 1.0 + gap, eigen(surface.normal), ambient, radius_, held);
 }
 
 PairHindrance EqualPairHindrance::at(double gap_over_radius) const {

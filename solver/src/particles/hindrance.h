@@ -1,17 +1,20 @@
-// How surfaces nearby slow a colloid down.                              MODEL (P2)-(P6)
+// How surfaces nearby slow a colloid down.                              MODEL (P2)-(P7)
 //
-// Every near surface acts as if it were alone with the colloid, and their effects are
-// added (Ganatos, Weinbaum & Pfeffer 1980 measured how well that does between two walls):
+// Every near surface acts as if it were alone with the colloid; their effects are added,
+// less what they shield each other from:
 //
-//     R = R_0 + sum w_s (R_s - R_0),   F = F_0 + sum w_s (F_s - F_0)
+//     R = R_0 + sum w_s (R_s - R_0) + shielding,   D = R (u, a w) + sum w_s B_s
 //
-// R_s resists the motion of the colloid beside the held surface, F_s is what the ambient
-// flow does to the held colloid.  Units: small_matrix.h.
+// R_s resists the motion of the colloid beside the held surface; B_s is what the shape of
+// the ambient flow does to the held colloid beyond carrying it along.  Units:
+// small_matrix.h.
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "particles/ambient_flow.h"
+#include "particles/shielding.h"
 #include "particles/small_matrix.h"
 #include "particles/surfaces.h"
 #include "physics/pair_in_strain.h"
@@ -24,10 +27,15 @@ namespace colloid {
 struct HeldColloid {
   Matrix6 resistance = Matrix6::Zero();
   Vector6 drive = Vector6::Zero();
+  std::vector<WideSurface> wide;  ///< which shield each other
 };
 
-/// Far from everything: Stokes and Faxen.
-HeldColloid isolated(const AmbientMotion& ambient, double radius);
+/// Far from everything: Stokes' resistance, nothing that drives.
+HeldColloid isolated();
+
+/// After all surfaces were added: what they shield each other from, and the drive of the
+/// ambient velocity and spin.
+void let_shield_and_carry(const AmbientMotion& ambient, double radius, HeldColloid& held);
 
 /// Hindrance by fixed surfaces.
 class SurfaceHindrance {

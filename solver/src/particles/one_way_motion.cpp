@@ -146,7 +146,7 @@ void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies,
   std::vector<NearSurface> near;
   for (const Member& member : out.members) {
     const auto b = static_cast<std::size_t>(member.body);
-    HeldColloid held = isolated(member.ambient, a);
+    HeldColloid held = isolated();
     Vector6 load = Vector6::Zero();
     load.head<3>() = eigen(options_.weight) / drag_;
     const bool forces =
@@ -166,6 +166,7 @@ void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies,
         }
       }
     }
+    let_shield_and_carry(member.ambient, a, held);
     held.drive += load;
     BodySystem& system = out.systems[b];
     if (bodies[b].size() == 1) {

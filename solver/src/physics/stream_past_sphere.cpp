@@ -47,6 +47,15 @@ ChebyshevSeries<3> drive_against_u(double ratio) {
 
 }  // namespace
 
+FaxenPastSphere faxen_past_sphere(double ratio, double distance) {
+  const double b = ratio;
+  const double r = distance;
+  // (a^2/6) lap of the velocity and (a^2/10) lap of its gradient have the form of the
+  // dipole's term.
+  return {1.0 - 0.75 * b / r - 0.25 * (b * b * b + b) / (r * r * r), 0.75 * b / (r * r),
+          0.75 * (b * b * b + 0.6 * b) / (r * r * r * r)};
+}
+
 StreamPastSphere::StreamPastSphere(double ratio) : drive_(drive_against_u(ratio)) {}
 
 StreamDrive StreamPastSphere::at(double gap) const {

@@ -30,6 +30,16 @@ struct StreamDrive {
   double r = 1.0;  ///< torque about an axis across d
 };
 
+/// That flow past sphere 2 alone, averaged over the surface of sphere 1 (Faxen 1922), per
+/// velocity U_t of the stream across d; lengths over a.
+struct FaxenPastSphere {
+  double velocity;  ///< u_t
+  double spin;      ///< omega
+  double strain;    ///< E_nt, n = -d
+};
+/// `distance` = r/a of the centres.
+FaxenPastSphere faxen_past_sphere(double ratio, double distance);
+
 class StreamPastSphere {
  public:
   /// `ratio` = b/a, from 0.05 to 20; beyond, sphere 2 is a plane (wall_resistance.h).

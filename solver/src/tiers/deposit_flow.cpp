@@ -65,15 +65,20 @@ AmbientMotion DepositFlow::around(const Vec3& centre, double radius) const {
   }
   static const std::array<Vec3, 12> kPoints = icosahedron();
   Vec3 turn;
+  Matrix3 gradient = Matrix3::Zero();
   for (const Vec3& n : kPoints) {
     const Vec3 u = velocity_at(*solver_, centre + n * radius);
     motion.velocity += u;
     turn += cross(n, u);
+    gradient += eigen(u) * eigen(n).transpose();
   }
   constexpr double kWeight = 1.0 / 12.0;
   motion.velocity *= kWeight;
   // The mean of n x (w x n) over the sphere is 2/3 w.
   motion.spin = turn * (1.5 * kWeight / radius);
+  // That of u n is a third of the gradient.
+  gradient *= 3.0 * kWeight / radius;
+  motion.strain = 0.5 * (gradient + gradient.transpose());
   return motion;
 }
 

@@ -59,6 +59,7 @@ Scene duct_scene() {
 struct Error {
   double velocity = 0.0;  // largest, over (G/mu) W^2
   double spin = 0.0;      // largest, over (G/mu) W
+  double strain = 0.0;    // largest component, over (G/mu) W
 };
 
 // Largest errors over many places of the sphere, down to touching two walls.
@@ -79,6 +80,12 @@ Error largest_error(int cells) {
       error.velocity = std::max(
           error.velocity, norm(got.velocity - u) / (kForce / kMu * kWidth * kWidth));
       error.spin = std::max(error.spin, norm(got.spin - w) / (kForce / kMu * kWidth));
+      Matrix3 strain = Matrix3::Zero();  // its Laplacian vanishes
+      strain(0, 2) = strain(2, 0) = 0.5 * exact.ux;
+      strain(1, 2) = strain(2, 1) = 0.5 * exact.uy;
+      error.strain =
+          std::max(error.strain, (got.strain - strain).lpNorm<Eigen::Infinity>() /
+                                     (kForce / kMu * kWidth));
     }
   }
   return error;
@@ -91,17 +98,21 @@ TEST(Faxen, AverageOverTheSphereConvergesAtSecondOrder) {
     last = largest_error(cells);
     const double h2 = 1.0 / (cells * cells);
     std::printf(
-        "%d cells: velocity %.2e (over h^2 %.3f), spin %.2e (over h^2 W/a %.3f)\n", cells,
-        last.velocity, last.velocity / h2, last.spin, last.spin / h2 * kRadius / kWidth);
+        "%d cells: velocity %.2e (over h^2 %.3f), spin %.2e (over h^2 W/a %.3f), strain "
+        "%.2e\n",
+        cells, last.velocity, last.velocity / h2, last.spin,
+        last.spin / h2 * kRadius / kWidth, last.strain);
     // README: interpolation h^2/8 (|u_xx| + |u_yy|) = h^2/8 G/mu, differences h^2/24.
     EXPECT_LT(last.velocity, (1.0 / 8.0 + 1.0 / 24.0) * h2);
     EXPECT_LT(last.spin, 1.5 * (1.0 / 8.0 + 1.0 / 24.0) * h2 * kWidth / kRadius);
+    EXPECT_LT(last.strain, 1.5 * (1.0 / 8.0 + 1.0 / 24.0) * h2 * kWidth / kRadius);
     first = cells == 12 ? last : first;
   }
   // Sixteen at second order.  How the twelve points lie in their cells changes with the
   // grid, so that the error of the spin, a difference of velocities, scatters.
   EXPECT_GT(first.velocity / last.velocity, 12.0);
   EXPECT_GT(first.spin / last.spin, 8.0);
+  EXPECT_GT(first.strain / last.strain, 8.0);
 }
 
 // The reference solves the equation: its Laplacian and its walls.

@@ -12,6 +12,7 @@ inline Scene short_scene() {
   scene.duration = 0.6;
   scene.colloids->volume_fraction = 0.02;
   scene.fidelity.cells_per_colloid = 2.5;
+  scene.fidelity.capture_gap = 200e-9;  // many are retained
   return scene;
 }
 

@@ -24,19 +24,8 @@ AmbientMotion stream(const Vec3&, double) {
   return {{0.0, 0.0, -kSpeed}, {}};
 }
 
-// Faxen's laws in the Stokes flow of that stream past the held sphere.
 AmbientMotion stream_past(const Vec3& x, double a) {
-  const Vec3 u{0.0, 0.0, -kSpeed};
-  const Vec3 e = x - kMiddle;
-  const double r = norm(e);
-  const Vec3 n = e * (1.0 / r);
-  const Vec3 along = n * dot(u, n);
-  const double near = 2.0 * a * a * a / (r * r * r);
-  AmbientMotion motion;
-  motion.velocity = along * (1.0 - 1.5 * a / r + 0.5 * near) +
-                    (u - along) * (1.0 - 0.75 * a / r - 0.25 * near);
-  motion.spin = cross(n, u) * (0.75 * a / (r * r));
-  return motion;
+  return cases::stream_past_sphere({0.0, 0.0, -kSpeed}, a, x - kMiddle, a);
 }
 
 // Bonded to retained colloid 7 at `angle` from the upstream pole.

@@ -97,7 +97,7 @@ struct ShearRow {
 };
 
 AmbientMotion shear(const Vec3& x, double) {
-  return {{1.0 * x.z, 0.0, 0.0}, {0.0, 0.5, 0.0}};
+  return cases::shear_along_x(1.0, x.z);
 }
 
 // Goldman, Cox & Brenner (1967) II: free speed of a sphere in shear, digits as printed.
@@ -151,24 +151,6 @@ TEST(ShearNearWall, SpeedAndSpinBalanceForceAndTorque) {
   EXPECT_GT(rows, 10);
 }
 
-// Stokes flow of a stream U past a sphere of radius b at the origin, at x: what Faxen's
-// laws make of it for a sphere of radius a.
-AmbientMotion stream_past(const Vec3& u, double b, const Vec3& x, double a) {
-  const double r = norm(x);
-  const Vec3 n = x * (1.0 / r);
-  const double un = dot(u, n);
-  const Vec3 along = n * un;
-  const Vec3 across = u - along;
-  const double far = b / r;
-  const double near = (b * b * b + a * a * b) / (r * r * r);
-  AmbientMotion motion;
-  motion.velocity =
-      along * (1.0 - 1.5 * far + 0.5 * near) + across * (1.0 - 0.75 * far - 0.25 * near);
-  // Half of the vorticity 3b/(2 r^2) n x U.
-  motion.spin = cross(n, u) * (0.75 * b / (r * r));
-  return motion;
-}
-
 // A sphere held beside another feels of a stream what both feel when they move as one
 // through liquid at rest: 6 pi mu a (x11 + (1 + ratio)/2 x12) U, Jeffrey & Onishi (1984).
 TEST(HeldBesideSphere, FeelsWhatBothFeelMovingAsOne) {
@@ -180,7 +162,7 @@ TEST(HeldBesideSphere, FeelsWhatBothFeelMovingAsOne) {
       for (double gap : {0.02, 0.1, 0.5, 1.0, 1.9}) {
         const Vec3 u{3e-4, 4e-4, -5e-4};
         const auto flow = [&](const Vec3& x, double a) {
-          return stream_past(u, b, x - centre, a);
+          return cases::stream_past_sphere(u, b, x - centre, a);
         };
         const cases::Setting setting(hindered(1e-3 * kRadius), flow,
                                      cases::wide_box(1e-3), {{centre, b}});
