@@ -21,31 +21,30 @@ long& of(std::array<long, 5>& counts, Status status) {
 
 CampaignRun::CampaignRun(const Plan& plan, const RunFolder& folder,
                          const SolverProgram& solver, Store& store, Executor& executor,
-                         const Signals& signals)
+                         const Signals& signals, AttemptWatch* watch)
     : plan_(plan),
       folder_(folder),
       solver_(solver),
       store_(store),
       executor_(executor),
       signals_(signals),
-      ingester_(store, folder, plan),
+      ingester_(store, folder, plan, watch),
       counts_(store.count()),
       progress_(static_cast<long>(plan.ensembles.size()) * plan.realisations,
                 of(counts_, Status::ingested)) {}
 
 int CampaignRun::run() {
   try {
-    adopt(ingester_.catch_up());
-    counts_ = store_.count();
+    begin();
     for (;;) {
-      Item item;
-      while (stops_ == 0 && executor_.free_slots() > 0 && next(item)) {
-        start(item);
-      }
+      start_all();
       if (active_.empty()) {
         break;
       }
       wait_for_event();
+      if (leaves_) {
+        break;
+      }
       for (const std::int64_t id : executor_.poll()) {
         settle(id);
       }
@@ -54,11 +53,43 @@ int CampaignRun::run() {
     }
     store_.refresh_curves();
   } catch (const StorageError&) {
-    drain_after_failure();
+    if (!executor_.outlasts_caller()) {
+      drain_after_failure();
+    }
     throw;
   }
-  progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed), 0, true);
+  progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed),
+                 static_cast<long>(active_.size()), true);
   return exit_code();
+}
+
+int CampaignRun::launch() {
+  begin();
+  start_all();
+  if (stops_ == 0) {
+    why_stopped_ = executor_.limited_by();
+  }
+  store_.refresh_curves();
+  return exit_code();
+}
+
+void CampaignRun::begin() {
+  adopt(ingester_.catch_up());
+  counts_ = store_.count();
+}
+
+void CampaignRun::start_all() {
+  Item item;
+  while (stops_ == 0) {
+    std::vector<Job> jobs;
+    for (std::size_t free = executor_.free_slots(); jobs.size() < free && next(item);) {
+      jobs.push_back(prepare(item));
+    }
+    if (jobs.empty()) {
+      return;
+    }
+    executor_.submit(jobs);
+  }
 }
 
 void CampaignRun::adopt(const std::vector<AttemptOf>& running) {
@@ -92,7 +123,7 @@ bool CampaignRun::next(Item& item) {
   return false;
 }
 
-void CampaignRun::start(const Item& item) {
+Job CampaignRun::prepare(const Item& item) {
   const std::string realisation = folder_.realisation(plan_, item);
   const bool is_first = claim_folder(realisation);
   const std::vector<int> before =
@@ -119,8 +150,8 @@ void CampaignRun::start(const Item& item) {
   ++of(counts_, Status::active);
   const std::int64_t id = ++last_id_;
   active_[id] = {item, attempt.number};
-  executor_.submit({{id, folder, std::move(words), plan_.limits.seconds_per_realisation,
-                     plan_.limits.seconds_to_stop}});
+  return {id, folder, std::move(words), plan_.limits.seconds_per_realisation,
+          plan_.limits.seconds_to_stop};
 }
 
 void CampaignRun::settle(std::int64_t id) {
@@ -145,6 +176,13 @@ void CampaignRun::wait_for_event() {
   }
   ++stops_;
   why_stopped_ = "interrupted";
+  if (executor_.outlasts_caller()) {
+    leaves_ = true;
+    fmt::print(stderr,
+               "\nleaving: the jobs go on without this program; `poreclog resume` goes "
+               "on, `poreclog cancel` stops them\n");
+    return;
+  }
   fmt::print(stderr, "\n{}\n",
              stops_ == 1 ? "stopping: the running realisations write checkpoints (once "
                            "more to stop at once)"

@@ -139,7 +139,8 @@ bool on_another_machine(const std::string& folder) {
   }
   std::array<char, 256> name{};
   ::gethostname(name.data(), name.size() - 1);
-  return lock.substr(space + 1, lock.find('\n') - space - 1) != name.data();
+  const std::size_t end = lock.find_first_of(" \n", space + 1);
+  return lock.substr(space + 1, end - space - 1) != name.data();
 }
 
 bool give_up(const std::string& folder) {

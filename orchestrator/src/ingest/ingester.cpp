@@ -58,6 +58,11 @@ std::vector<AttemptOf> Ingester::catch_up() {
 
 void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
   const std::string realisation = folder_.realisation(plan_, item);
+  if (const auto waiting = watch_ == nullptr ? std::nullopt : watch_->waiting(realisation);
+      waiting && store_.status(item) == Status::active) {
+    running.push_back({item, *waiting});
+    return;
+  }
   std::map<int, Cause> known;
   for (const AttemptRecord& attempt : store_.attempts(item)) {
     known[attempt.number] = attempt.cause;
@@ -78,18 +83,12 @@ void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
   bool is_unknown = false;
   for (const int number : open) {
     const std::string folder = attempt_folder(realisation, number);
-    if (is_there(folder) && !is_there(folder + "/ending.json") &&
-        !is_there(folder + "/result.h5")) {
-      if (on_another_machine(folder)) {
-        is_unknown = true;
-        continue;
-      }
-      if (!give_up(folder)) {
-        running.push_back({item, number});
-        is_active = true;
-        continue;
-      }
-    } else if (FileLock::is_held(folder + "/lock")) {
+    const Presence now = presence(folder);
+    if (now == Presence::unknown) {
+      is_unknown = true;
+      continue;
+    }
+    if (now == Presence::active) {
       running.push_back({item, number});
       is_active = true;
       continue;
@@ -104,6 +103,21 @@ void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
       store_.set_status(item, status);
     }
   }
+}
+
+Presence Ingester::presence(const std::string& folder) {
+  const Presence elsewhere =
+      watch_ == nullptr ? Presence::not_mine : watch_->presence(folder);
+  if (elsewhere != Presence::not_mine) {
+    return elsewhere;
+  }
+  if (is_there(folder) && !is_there(folder + "/ending.json") &&
+      !is_there(folder + "/result.h5")) {
+    return on_another_machine(folder) ? Presence::unknown
+           : give_up(folder)          ? Presence::ended
+                                      : Presence::active;
+  }
+  return FileLock::is_held(folder + "/lock") ? Presence::active : Presence::ended;
 }
 
 Settled Ingester::settle(const Item& item, int number) {
