@@ -17,11 +17,11 @@ fi
 attempt() {
   realisation=${1%/*}
   folder=$1
-  for result in "$realisation"/attempt-*/result.h5; do
-    [ -e "$result" ] && return
-  done
   if [ -e "$1/ending.json" ] || [ -e "$1/lock" ]; then
     [ "$restarts" -gt 0 ] || return
+    for result in "$realisation"/attempt-*/result.h5; do
+      [ -e "$result" ] && return
+    done
     if [ -e "$1/ending.json" ]; then
       grep -q '"stopped": "asked"' "$1/ending.json" || return
     fi
