@@ -6,8 +6,8 @@ import json
 import os
 import pathlib
 import random
+import shutil
 import signal
-import stat
 import subprocess
 import sys
 import time
@@ -147,8 +147,8 @@ class SmallSite(OnSlurm):
     def test_gets_few_arrays_with_several_realisations_a_task(self):
         campaign = self.write(realisations=150)
         counter = self.folder / "calls"
-        real = subprocess.run(["which", "sbatch"], capture_output=True, text=True).stdout
-        prefix = self.wrapper("sbatch", f'echo >> {counter}\nexec {real.strip()} "$@"\n')
+        real = shutil.which("sbatch")
+        prefix = self.wrapper("sbatch", f'echo >> {counter}\nexec {real} "$@"\n')
         self.poreclog("submit", campaign, prefix=prefix)
         self.assertLessEqual(len(self.cluster.tasks()), 20)  # half of the table
         self.wait_for_tasks()
@@ -186,11 +186,30 @@ class Names(OnSlurm):
         self.assertEqual(self.content(), self.undisturbed(campaign))
 
 
+    def test_of_a_program_that_nodes_do_not_have_stop_the_campaign(self):
+        campaign = self.write(realisations=3, limits={"attempts": 2})
+        gone = self.folder / "gone"
+        gone.mkdir()
+        for name in ["poreclog", "poreclog-attempt"]:
+            shutil.copy(pathlib.Path(orchestrator.PROGRAM).parent / name, gone)
+        self.poreclog("submit", campaign)  # claims the run folder
+        self.wait_for_tasks()
+        self.finish()
+        wrapped = self.wrapper("sbatch", f'rm {gone}/poreclog-attempt\nexec '
+                               f'{shutil.which("sbatch")} "$@"\n')
+        done = subprocess.run([*wrapped, gone / "poreclog", *self.command(
+            "extend", "c", "--to", 5, "--wait")[1:]], env=self.environment({}),
+            capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        self.assertIn("cannot be started", done.stdout)
+        self.assertEqual(self.ask("SELECT DISTINCT cause FROM v_attempt WHERE idx > 2"),
+                         [("not_started",)])
+
+
 class Answers(OnSlurm):
     def test_of_sbatch_that_are_lost_are_found_by_the_jobs_name(self):
         campaign = self.write(realisations=5)
-        real = subprocess.run(["which", "sbatch"], capture_output=True,
-                              text=True).stdout.strip()
+        real = shutil.which("sbatch")
         prefix = self.wrapper("sbatch", f'{real} "$@" >/dev/null\n'
                               "echo 'sbatch: error: Batch job submission failed: Socket "
                               "timed out on send/recv operation' >&2\nexit 1\n")
@@ -203,7 +222,7 @@ class Answers(OnSlurm):
 
     def test_that_do_not_come_mean_unknown_not_finished(self):
         campaign = self.write(realisations=4)
-        self.poreclog("submit", campaign, SECONDS=3)
+        self.poreclog("submit", campaign, SECONDS=15)
         self.wait_until(lambda: len(self.attempts()) == 4)
         self.cluster.kill("slurmctld")
         status = self.status()
@@ -321,8 +340,7 @@ class Tasks(OnSlurm):
 
     def test_that_come_twice_run_once(self):
         campaign = self.write(realisations=5)
-        real = subprocess.run(["which", "sbatch"], capture_output=True,
-                              text=True).stdout.strip()
+        real = shutil.which("sbatch")
         prefix = self.wrapper("sbatch", f'{real} "$@" >/dev/null\nexec {real} "$@"\n')
         self.poreclog("submit", campaign, prefix=prefix, SECONDS=1)
         self.assertEqual(len({j for j, _ in self.cluster.tasks()}), 2)

@@ -253,6 +253,9 @@ class Resume : public WorkCommand {
             fmt::format("{} has not been run with --runs {}: there is nothing to resume; "
                         "`poreclog run` begins it",
                         opened.plan.campaign, common().runs));
+    // It goes on where it was, whatever its file says; --executor moves it.
+    const auto stored = RunFolder(common().runs, opened.plan.campaign).read_plan();
+    opened.plan.executor = stored ? stored->executor : opened.plan.executor;
   }
 };
 

@@ -5,6 +5,7 @@
 # attempt it had begun alone, because that may still run where nobody sees it, and begins
 # another.  Endings that were written without a task say "stopped":"asked", with no blank:
 # they are never gone on with.
+
 stopped=
 trap 'stopped=yes' TERM INT QUIT
 restarts=${SLURM_RESTART_COUNT:-0}
@@ -40,7 +41,10 @@ first=$((SLURM_ARRAY_TASK_ID * per_task + 1))
 line=$first
 while [ "$line" -lt $((first + per_task)) ] && [ -z "$stopped" ]; do
   folder=$(sed -n "${line}{p;q;}" "$list")
-  [ -n "$folder" ] || break
+  if [ -z "$folder" ]; then
+    [ -r "$list" ] || exit 1
+    break  # the last task has fewer
+  fi
   attempt "$folder"
   line=$((line + 1))
 done

@@ -50,7 +50,11 @@ bool claim_unbegun(const std::string& folder) {
 /// The end of an attempt whose task is gone and has left none; `word`: Slurm's.
 json ending_of_lost(bool begun, const std::string& word) {
   json ending{{"schema_version", 1}, {"ended", utc_now()}, {"scheduler", word}};
-  if (!begun || word == "CANCELLED" || word == "PREEMPTED" || word == "DEADLINE" ||
+  const bool was_its_turn =
+      word == "COMPLETED" || word == "FAILED" || word == "BOOT_FAIL";
+  if (!begun && was_its_turn) {
+    ending["exit_code"] = 127;  // as a shell says that there is no such program
+  } else if (!begun || word == "CANCELLED" || word == "PREEMPTED" || word == "DEADLINE" ||
       word == "REVOKED") {
     ending["stopped"] = "asked";
   } else if (word == "TIMEOUT") {
@@ -232,6 +236,12 @@ Presence SlurmJobs::presence(const std::string& attempt_folder) {
     return Presence::unknown;
   }
   const bool begun = !claim_unbegun(attempt_folder);
+  if (!begun) {
+    write_whole(attempt_folder + "/stderr",
+                fmt::format("its task on Slurm ended before it had begun: {} {}\n",
+                            task->word, task->reason),
+                false);
+  }
   write_whole(attempt_folder + "/ending.json",
               ending_of_lost(begun, task->word).dump() + "\n", false);
   return Presence::ended;

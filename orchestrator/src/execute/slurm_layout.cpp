@@ -93,13 +93,14 @@ SlurmLayout slurm_layout(const Plan& plan, const SlurmLimits& limits, long reali
 std::vector<std::string> sbatch_words(const Plan& plan, const SlurmLayout& layout,
                                       const std::string& name, const std::string& folder,
                                       long tasks) {
-  // The folder is only an argument of --chdir: in --output Slurm would replace %-signs.
+  // Slurm replaces %-signs and backslashes in the output's name, the folder's too.
+  const bool is_plain = folder.find_first_of("%\\") == std::string::npos;
   std::vector<std::string> words{
       "--job-name=" + name,
       fmt::format("--array=0-{}{}", tasks - 1,
                   layout.at_once > 0 ? fmt::format("%{}", layout.at_once) : ""),
       "--chdir=" + folder,
-      "--output=output",
+      is_plain ? "--output=output" : "--output=/dev/null",
       "--open-mode=append",
       "--export=ALL",
       "--requeue",
