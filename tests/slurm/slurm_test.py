@@ -234,7 +234,7 @@ class Answers(OnSlurm):
         self.wait_until(lambda: len(list(self.runs.glob("c/p*/*/*/result.h5"))) == 4)
         self.assertEqual(self.status()["total"]["ingested"], 4)  # files say so
         self.cluster.start_controller()
-        self.wait_for_tasks()
+        self.wait_until(lambda: self.cluster.queue("all"))
         self.finish()
         self.assertEqual(self.content(), self.undisturbed(campaign))
         self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(4,)])
@@ -447,13 +447,14 @@ class Nodes(OnSlurm):
 
     def test_whose_daemon_is_killed_or_that_go_down_lose_no_realisation(self):
         campaign = self.write(realisations=16)
-        self.poreclog("submit", campaign, SECONDS=60)
+        self.poreclog("submit", campaign, SECONDS=300)
         self.wait_until(lambda: len(self.attempts()) == 16)
         before = set(self.attempts_of())
         self.cluster.kill("slurmd.n1")
         self.wait_until(lambda: self.cluster.node_states()["n1"].startswith("down"), 60)
         # the processes on n1 live on, unsupervised; their tasks are requeued
-        self.assertEqual(self.status()["total"]["active"], 16)
+        total = self.status()["total"]
+        self.assertEqual(total["active"], 16, total)
         self.cluster.start_node("n1")
         self.wait_until(lambda: self.cluster.node_states()["n1"] in ("idle", "mixed"), 60)
         subprocess.run(["scontrol", "update", "nodename=n2", "state=down", "reason=test"],
@@ -463,9 +464,11 @@ class Nodes(OnSlurm):
         for job, index in self.cluster.tasks():
             subprocess.run(["scontrol", "update", f"jobid={job}_{index}", "starttime=now"],
                            capture_output=True)
-        self.finish(seconds=240, SECONDS=0.2)
+        self.wait_until(lambda: len(set(self.attempts_of()) - before) > 0, 60)
+        self.poreclog("cancel", "c", "--now")
+        self.assertEqual(self.solvers(), [])
+        self.poreclog("run", "c", SECONDS=0.2)
         self.assertEqual(self.content(), self.undisturbed(campaign))
-        self.assertGreater(len(set(self.attempts_of()) - before), 0)
         self.assertEqual(self.ask("SELECT DISTINCT kind FROM incident WHERE kind NOT IN "
                                   "('lost', 'duplicate')"), [])
 

@@ -9,10 +9,10 @@
 namespace colloid {
 
 struct SlurmOptions {
-  std::string partition;         ///< empty: the site's default
-  std::string account;           ///< empty: the user's default
-  int memory_MiB = 0;            ///< of one realisation, all ranks; 0: the site's default
-  int realisations_per_task = 0; ///< one after another; 0: as few as the limits allow
+  std::string partition;  ///< empty: the site's default
+  std::string account;    ///< empty: the user's default
+  int memory_MiB = 0;     ///< of one realisation, all ranks; 0: the site's default
+  int realisations_per_task = 0;     ///< one after another; 0: as few as the limits allow
   std::string launcher = "mpirun";   ///< of several ranks: mpirun or srun
   std::vector<std::string> options;  ///< more words for sbatch, such as --qos=long
 };

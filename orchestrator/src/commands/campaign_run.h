@@ -59,7 +59,7 @@ class CampaignRun {
   std::deque<Item> retries_;
   Item cursor_;
   std::int64_t last_id_ = 0;
-  int stops_ = 0;  ///< how often somebody asked us to stop
+  int stops_ = 0;        ///< how often somebody asked us to stop
   bool leaves_ = false;  ///< the jobs, which go on
   std::string why_stopped_;
 };

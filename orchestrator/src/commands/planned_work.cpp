@@ -93,11 +93,10 @@ nlohmann::ordered_json planned_json(const Plan& plan, const RunFolder& folder,
 }
 
 std::string planned_text(const nlohmann::ordered_json& planned) {
-  std::string text =
-      fmt::format("{}: {} of {} realisations would run (executor {})\n",
-                  planned["campaign"].get<std::string>(), planned["to_run"].get<long>(),
-                  planned["realisations"].get<long>(),
-                  planned["executor"].get<std::string>());
+  std::string text = fmt::format(
+      "{}: {} of {} realisations would run (executor {})\n",
+      planned["campaign"].get<std::string>(), planned["to_run"].get<long>(),
+      planned["realisations"].get<long>(), planned["executor"].get<std::string>());
   for (const auto& [why, count] : planned["reasons"].items()) {
     text += fmt::format("  {} because {}\n", count.get<long>(), why);
   }

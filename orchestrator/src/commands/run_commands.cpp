@@ -145,8 +145,7 @@ class WorkCommand : public Command {
     folder.write_plan(plan);
     Store store(database, plan, folder.path());
     prepare(plan, store, folder);
-    const auto slurm =
-        to_slurm ? std::make_unique<SlurmCampaign>(plan, folder) : nullptr;
+    const auto slurm = to_slurm ? std::make_unique<SlurmCampaign>(plan, folder) : nullptr;
     const std::unique_ptr<Executor> executor = make_executor(plan, store, slurm.get());
     CampaignRun campaign(plan, folder, solver, store, *executor, signals,
                          slurm ? &slurm->jobs() : nullptr);

@@ -1,4 +1,5 @@
-// run, submit, resume, retry and extend: the commands that work on a campaign's realisations.
+// run, submit, resume, retry and extend: the commands that work on a campaign's
+// realisations.
 #pragma once
 
 #include "commands/command.h"

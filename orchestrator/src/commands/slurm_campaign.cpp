@@ -62,8 +62,8 @@ SlurmPlan slurm_plan(const Plan& plan, const RunFolder& folder, const std::strin
     out.text += "  " + why + "\n";
   }
   if (arrays > 0) {
-    out.text += fmt::format("the first:\n\n{}\n\n{}/script:\n\n{}",
-                            command_line(words), next.folder, script);
+    out.text += fmt::format("the first:\n\n{}\n\n{}/script:\n\n{}", command_line(words),
+                            next.folder, script);
   }
   return out;
 }

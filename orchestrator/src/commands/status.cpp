@@ -86,9 +86,11 @@ class StatusCommand : public Command {
     Statement incidents =
         database.prepare("SELECT count(*) FROM v_incident WHERE campaign = ?");
     incidents.bind(1, plan.campaign).step();
-    return {{"schema_version", 1}, {"campaign", plan.campaign},
+    return {{"schema_version", 1},
+            {"campaign", plan.campaign},
             {"running", running || total["active"].get<long>() > 0},
-            {"total", total},      {"points", points},
+            {"total", total},
+            {"points", points},
             {"incidents", incidents.integer(0)},
             {"slurm", slurm}};
   }

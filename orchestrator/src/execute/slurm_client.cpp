@@ -50,9 +50,8 @@ std::string value_of(const std::string& text, const std::string& key) {
       continue;
     }
     begin = line.find_first_not_of(' ', begin + 1);
-    return begin == std::string::npos
-               ? ""
-               : line.substr(begin, line.find(' ', begin) - begin);
+    return begin == std::string::npos ? ""
+                                      : line.substr(begin, line.find(' ', begin) - begin);
   }
   return "";
 }
@@ -78,8 +77,8 @@ std::optional<SlurmTask> task_from(const std::string& line) {
 
 std::optional<bool> is_active_state(const std::string& state) {
   static const std::set<std::string> active{
-      "PENDING",      "RUNNING",     "COMPLETING", "CONFIGURING", "SUSPENDED",
-      "REQUEUED",     "REQUEUE_FED", "RESIZING",   "SIGNALING",   "REQUEUE_HOLD",
+      "PENDING",      "RUNNING",     "COMPLETING", "CONFIGURING",  "SUSPENDED",
+      "REQUEUED",     "REQUEUE_FED", "RESIZING",   "SIGNALING",    "REQUEUE_HOLD",
       "SPECIAL_EXIT", "STAGE_OUT",   "STOPPED",    "RESV_DEL_HOLD"};
   static const std::set<std::string> ended{
       "COMPLETED", "CANCELLED", "FAILED",   "TIMEOUT",       "NODE_FAIL",
@@ -112,14 +111,14 @@ double slurm_seconds(const std::string& text) {
 
 SlurmClient::SlurmClient() {
   for (const char* name :
-       {"SQUEUE_ACCOUNT", "SQUEUE_ALL", "SQUEUE_ARRAY", "SQUEUE_ARRAY_UNIQUE",
-        "SQUEUE_CLUSTERS", "SQUEUE_FEDERATION", "SQUEUE_FORMAT", "SQUEUE_FORMAT2",
-        "SQUEUE_LICENSES", "SQUEUE_LOCAL", "SQUEUE_NAMES", "SQUEUE_PARTITION",
-        "SQUEUE_PRIORITY", "SQUEUE_QOS", "SQUEUE_SIBLING", "SQUEUE_SORT",
-        "SQUEUE_STATES", "SQUEUE_USERS", "SACCT_FORMAT", "SCANCEL_ACCOUNT",
-        "SCANCEL_BATCH", "SCANCEL_FULL", "SCANCEL_HURRY", "SCANCEL_INTERACTIVE",
-        "SCANCEL_NAME", "SCANCEL_PARTITION", "SCANCEL_QOS", "SCANCEL_STATE",
-        "SCANCEL_USER", "SCANCEL_WCKEY", "SBATCH_WAIT", "SBATCH_ARRAY_INX",
+       {"SQUEUE_ACCOUNT",   "SQUEUE_ALL",         "SQUEUE_ARRAY",   "SQUEUE_ARRAY_UNIQUE",
+        "SQUEUE_CLUSTERS",  "SQUEUE_FEDERATION",  "SQUEUE_FORMAT",  "SQUEUE_FORMAT2",
+        "SQUEUE_LICENSES",  "SQUEUE_LOCAL",       "SQUEUE_NAMES",   "SQUEUE_PARTITION",
+        "SQUEUE_PRIORITY",  "SQUEUE_QOS",         "SQUEUE_SIBLING", "SQUEUE_SORT",
+        "SQUEUE_STATES",    "SQUEUE_USERS",       "SACCT_FORMAT",   "SCANCEL_ACCOUNT",
+        "SCANCEL_BATCH",    "SCANCEL_FULL",       "SCANCEL_HURRY",  "SCANCEL_INTERACTIVE",
+        "SCANCEL_NAME",     "SCANCEL_PARTITION",  "SCANCEL_QOS",    "SCANCEL_STATE",
+        "SCANCEL_USER",     "SCANCEL_WCKEY",      "SBATCH_WAIT",    "SBATCH_ARRAY_INX",
         "SBATCH_TEST_ONLY", "SLURM_RESTART_COUNT"}) {
     ::unsetenv(name);
   }
@@ -165,9 +164,8 @@ SlurmClient::Submitted SlurmClient::submit(const std::vector<std::string>& words
 }
 
 std::optional<std::vector<SlurmTask>> SlurmClient::tasks() const {
-  const ProgramOutput output =
-      ask({"squeue", "--noheader", "--array", "--states=all", "--user=" + user_id(),
-           "--format=%F|%K|%T|%r|%j"});
+  const ProgramOutput output = ask({"squeue", "--noheader", "--array", "--states=all",
+                                    "--user=" + user_id(), "--format=%F|%K|%T|%r|%j"});
   if (output.exit_code != 0) {
     return std::nullopt;
   }

@@ -14,9 +14,9 @@ namespace colloid {
 
 /// What a site allows, from `scontrol show config` and `scontrol show partition`.
 struct SlurmLimits {
-  long array_size = 0;      ///< MaxArraySize: indices are below it
-  long job_count = 0;       ///< MaxJobCount: jobs the controller keeps, of all users
-  double seconds = 0.0;     ///< MaxTime of the partition [s]; 0: none
+  long array_size = 0;   ///< MaxArraySize: indices are below it
+  long job_count = 0;    ///< MaxJobCount: jobs the controller keeps, of all users
+  double seconds = 0.0;  ///< MaxTime of the partition [s]; 0: none
 };
 
 /// One task of an array, as squeue lists it.

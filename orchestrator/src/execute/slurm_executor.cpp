@@ -28,8 +28,7 @@ SlurmExecutor::SlurmExecutor(const Plan& plan, const SlurmClient& client,
       journal_(journal),
       jobs_(jobs),
       keeper_(std::move(keeper)),
-      layout_(
-          slurm_layout(plan, client.limits(plan.slurm.partition), realisations)) {}
+      layout_(slurm_layout(plan, client.limits(plan.slurm.partition), realisations)) {}
 
 std::size_t SlurmExecutor::free_slots() const {
   if (!refusal_.empty() || (!sending_ && !running_.empty()) || !jobs_.answered()) {
@@ -51,10 +50,9 @@ void SlurmExecutor::submit(const std::vector<Job>& jobs) {
     submission.attempts.push_back(job.folder);
     running_[job.id] = job.folder;
   }
-  const long tasks = (static_cast<long>(jobs.size()) + layout_.per_task - 1) /
-                     layout_.per_task;
-  journal_.begin(submission,
-                 batch_script(plan_, layout_, submission.folder, keeper_));
+  const long tasks =
+      (static_cast<long>(jobs.size()) + layout_.per_task - 1) / layout_.per_task;
+  journal_.begin(submission, batch_script(plan_, layout_, submission.folder, keeper_));
   const SlurmClient::Submitted answer = client_.submit(
       sbatch_words(plan_, layout_, submission.name, submission.folder, tasks));
   if (answer.job) {

@@ -55,7 +55,7 @@ json ending_of_lost(bool begun, const std::string& word) {
   if (!begun && was_its_turn) {
     ending["exit_code"] = 127;  // as a shell says that there is no such program
   } else if (!begun || word == "CANCELLED" || word == "PREEMPTED" || word == "DEADLINE" ||
-      word == "REVOKED") {
+             word == "REVOKED") {
     ending["stopped"] = "asked";
   } else if (word == "TIMEOUT") {
     ending["stopped"] = "time_limit";
@@ -157,10 +157,10 @@ void SlurmJobs::refresh(Known& known, const std::vector<SlurmTask>& listed) {
       continue;
     }
     const std::optional<bool> active = is_active_state(task.state);
-    const State state = !active                     ? State::unknown
-                        : !*active                  ? State::ended
-                        : task.state == "PENDING"   ? State::waiting
-                                                    : State::running;
+    const State state = !active                   ? State::unknown
+                        : !*active                ? State::ended
+                        : task.state == "PENDING" ? State::waiting
+                                                  : State::running;
     // Of two arrays of the same list the one that may still run decides.
     Task& now = known.tasks[index];
     if (now.state == State::ended || state == State::running) {
@@ -251,9 +251,8 @@ void SlurmJobs::close_ended() {
   bool any = false;
   for (const Known& known : submissions_) {
     const Submission& sent = known.submission;
-    const bool gone =
-        std::all_of(known.tasks.begin(), known.tasks.end(),
-                    [](const Task& t) { return t.state == State::ended; });
+    const bool gone = std::all_of(known.tasks.begin(), known.tasks.end(),
+                                  [](const Task& t) { return t.state == State::ended; });
     const bool have_ended =
         gone && std::all_of(sent.attempts.begin(), sent.attempts.end(),
                             [](const std::string& attempt) {

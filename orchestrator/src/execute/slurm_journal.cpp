@@ -84,8 +84,8 @@ Submission SlurmJournal::next() const {
   submission.number = names.empty() ? 1 : std::atoi(names.back().c_str()) + 1;
   submission.folder = fmt::format("{}/{:06}", folder_, submission.number);
   // The time tells it from that of a run folder of the same name that was removed.
-  const std::string hash = sha256(
-      fmt::format("{} {} {}", submission.folder, utc_now(), ::getpid()));
+  const std::string hash =
+      sha256(fmt::format("{} {} {}", submission.folder, utc_now(), ::getpid()));
   submission.name = fmt::format("poreclog-{}-{}-{}", campaign_, submission.number,
                                 hash.substr(0, kNameDigits));
   return submission;

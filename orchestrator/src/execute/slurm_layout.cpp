@@ -5,17 +5,17 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "array_task_sh.h"
+#include "base/error.h"
 #include "base/text.h"
 
 namespace colloid {
 
 namespace {
 
-constexpr long kPerSubmission = 1000;    // realisations, at least
-constexpr double kSlackPerAttempt = 5.0; // [s] start, and writing the result
-constexpr double kSlackPerTask = 60.0;   // [s] for Slurm
+constexpr long kPerSubmission = 1000;     // realisations, at least
+constexpr double kSlackPerAttempt = 5.0;  // [s] start, and writing the result
+constexpr double kSlackPerTask = 60.0;    // [s] for Slurm
 constexpr double kLongestMinutes = 5.0e6;
 
 constexpr long ceil_div(long a, long b) {
@@ -35,7 +35,8 @@ SlurmLayout slurm_layout(const Plan& plan, const SlurmLimits& limits, long reali
   const long table = std::max(1L, limits.job_count / 2);
   const long arrays_at_once = plan.limits.workers > 0 ? plan.limits.workers : table;
   layout.array_tasks = std::min({limits.array_size, table, kPerSubmission});
-  layout.tasks = layout.array_tasks * std::min(arrays_at_once, table / layout.array_tasks);
+  layout.tasks =
+      layout.array_tasks * std::min(arrays_at_once, table / layout.array_tasks);
   const double each = seconds_per_attempt(plan);
   const long fits =
       limits.seconds > 0.0
@@ -45,14 +46,14 @@ SlurmLayout slurm_layout(const Plan& plan, const SlurmLimits& limits, long reali
           fmt::format("and the time to stop are {} together, but the partition's jobs "
                       "have {} (MaxTime)",
                       duration_text(each), duration_text(limits.seconds)));
-  const long wanted = std::max(ceil_div(realisations, layout.tasks),
-                               ceil_div(std::min(realisations, kPerSubmission),
-                                        layout.array_tasks));
+  const long wanted =
+      std::max(ceil_div(realisations, layout.tasks),
+               ceil_div(std::min(realisations, kPerSubmission), layout.array_tasks));
   const int given = plan.slurm.realisations_per_task;
   if (given > 0) {
-    require(given <= fits, "/slurm/realisations_per_task",
-            fmt::format("is {}, but only {} fit into the partition's MaxTime", given,
-                        fits));
+    require(
+        given <= fits, "/slurm/realisations_per_task",
+        fmt::format("is {}, but only {} fit into the partition's MaxTime", given, fits));
     layout.per_task = given;
     why.push_back(fmt::format("{} realisations per task, as the campaign says", given));
   } else {
@@ -71,17 +72,17 @@ SlurmLayout slurm_layout(const Plan& plan, const SlurmLimits& limits, long reali
     why.push_back(fmt::format("{} realisations wait for a later `poreclog resume`",
                               realisations - layout.per_task * layout.tasks));
   }
-  const long arrays = std::max(
-      1L, std::min(ceil_div(realisations, layout.per_task * layout.array_tasks),
-                   layout.tasks / layout.array_tasks));
+  const long arrays =
+      std::max(1L, std::min(ceil_div(realisations, layout.per_task * layout.array_tasks),
+                            layout.tasks / layout.array_tasks));
   if (plan.limits.workers > 0) {
     layout.at_once = static_cast<int>(std::max(1L, plan.limits.workers / arrays));
     why.push_back(fmt::format("{} tasks of each array at once: workers = {}, {} array{}",
                               layout.at_once, plan.limits.workers, arrays,
                               arrays > 1 ? "s" : ""));
   }
-  const double minutes = std::ceil(
-      (static_cast<double>(layout.per_task) * each + kSlackPerTask) / 60.0);
+  const double minutes =
+      std::ceil((static_cast<double>(layout.per_task) * each + kSlackPerTask) / 60.0);
   layout.minutes = static_cast<long>(std::min(minutes, kLongestMinutes));
   why.push_back(fmt::format(
       "time limit {} min: {} x {:.6g} s (limit, time to stop, {:g} s), and {:g} s; the "
@@ -113,8 +114,8 @@ std::vector<std::string> sbatch_words(const Plan& plan, const SlurmLayout& layou
     words.push_back("--account=" + plan.slurm.account);
   }
   if (plan.slurm.memory_MiB > 0) {
-    words.push_back(fmt::format("--mem-per-cpu={}M",
-                                ceil_div(plan.slurm.memory_MiB, plan.ranks)));
+    words.push_back(
+        fmt::format("--mem-per-cpu={}M", ceil_div(plan.slurm.memory_MiB, plan.ranks)));
   }
   words.insert(words.end(), plan.slurm.options.begin(), plan.slurm.options.end());
   words.push_back(folder + "/script");

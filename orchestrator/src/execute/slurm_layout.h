@@ -11,11 +11,11 @@ namespace colloid {
 
 /// The shape of a campaign's arrays, and why it is so.
 struct SlurmLayout {
-  long per_task = 1;    ///< realisations of one task, one after another
-  long array_tasks = 1; ///< of one array, at most
-  long tasks = 1;       ///< in the queue at once, at most
-  int at_once = 0;      ///< tasks of one array at once; 0: as many as Slurm likes
-  long minutes = 1;     ///< time limit of a task
+  long per_task = 1;     ///< realisations of one task, one after another
+  long array_tasks = 1;  ///< of one array, at most
+  long tasks = 1;        ///< in the queue at once, at most
+  int at_once = 0;       ///< tasks of one array at once; 0: as many as Slurm likes
+  long minutes = 1;      ///< time limit of a task
   std::vector<std::string> reasons;
 };
 

@@ -58,7 +58,8 @@ std::vector<AttemptOf> Ingester::catch_up() {
 
 void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
   const std::string realisation = folder_.realisation(plan_, item);
-  if (const auto waiting = watch_ == nullptr ? std::nullopt : watch_->waiting(realisation);
+  if (const auto waiting =
+          watch_ == nullptr ? std::nullopt : watch_->waiting(realisation);
       waiting && store_.status(item) == Status::active) {
     running.push_back({item, *waiting});
     return;
