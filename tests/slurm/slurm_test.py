@@ -446,7 +446,7 @@ class Nodes(OnSlurm):
     """Slow faults: Slurm takes its time to notice."""
 
     def test_whose_daemon_is_killed_or_that_go_down_lose_no_realisation(self):
-        campaign = self.write(realisations=16)
+        campaign = self.write(realisations=16, limits={"seconds_per_realisation": 600})
         self.poreclog("submit", campaign, SECONDS=300)
         self.wait_until(lambda: len(self.attempts()) == 16)
         before = set(self.attempts_of())
