@@ -79,7 +79,6 @@ CREATE TABLE realisation (
   digest                 TEXT,               -- SHA-256 of all that was ingested
   UNIQUE (ensemble, idx)
 );
-CREATE INDEX realisation_by_status ON realisation (ensemble, status);
 
 -- Program and machine of an attempt that left a result.
 CREATE TABLE provenance (

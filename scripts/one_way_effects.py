@@ -155,7 +155,8 @@ def draw(rows, output):
                                "processor seconds"]):
         curves = ", ".join(f"$d{j}_{i} using 1:2 with points pt 7 ps 0.8 lc {i + 1} notitle"
                            for i in range(len(VARIANTS)))
-        ticks = f"set ytics ({', '.join(names)})" if j == 0 else "set ytics format ''"
+        blank = ", ".join(f"'' {i}" for i in range(len(VARIANTS)))
+        ticks = f"set ytics ({', '.join(names) if j == 0 else blank})"
         log = "set logscale x" if j == 3 else "unset logscale x"
         plots.append(f"{ticks}\n{log}\nset xlabel '{label}'\nplot {curves}")
     evidence.gnuplot("\n".join(blocks) + f"""

@@ -64,11 +64,13 @@ def cases():
         yield from case("filled under " + next(iter(drive)), "1 s", drive=drive,
                         colloids__volume_fraction=0.2, fidelity__capture_gap="1 um",
                         duration="3 s")
-    for diameter in ["1 um", "100 nm"]:
+    # The throat that much smaller, so that the grid stays the same.
+    for diameter, collector, height, duration in [("1 um", "7.26 um", "10.9 um", "2 s"),
+                                                  ("100 nm", "726 nm", "1.09 um", "0.2 s")]:
         yield from case("Brownian colloids of diameter", diameter,
-                        colloids__diameter=diameter, colloids__volume_fraction=1e-6,
-                        drive__inlet_velocity="20 um/s", fidelity__cells_per_colloid=0.5,
-                        duration="0.2 s")
+                        geometry__collector_diameter=collector, geometry__height=height,
+                        colloids__diameter=diameter, colloids__volume_fraction=0.005,
+                        drive__inlet_velocity="20 um/s", duration=duration)
     yield from case("Hamaker constant", "0 J", surface__hamaker="0 J")
     yield from case("aggregates", "off", aggregates=False, colloids__volume_fraction=0.1)
     yield from case("volume fraction", 0.5, colloids__volume_fraction=0.5)

@@ -2,9 +2,9 @@
 # What the orchestrator itself costs, and how it grows: results/evidence/scale/README.md.
 # Usage: [PRESET=release] scripts/scale.sh [REALISATIONS] [JOBS]   (defaults 100000, 1000)
 #   - JOBS realisations of a solver that only writes its file, beside GNU parallel --joblog
-#     running the same commands (if it is installed);
-#   - REALISATIONS results of 500 output times in one database: rate, size, memory, and the
-#     time of each question that has a name.
+#     running the same commands (if it is installed: apt-get install parallel);
+#   - REALISATIONS results of 500 output times in one database: rate, size, and time and
+#     memory of each question that has a name, statistics, report and dry run.
 set -eu
 cd "$(dirname "$0")/.."
 realisations=${1:-100000}
@@ -28,6 +28,18 @@ campaign() {
 field() { sed -n "s/^ *\"$2\": \([0-9.]*\),*$/\1/p" "$1"; }
 now() { date +%s.%N; }
 ratio() { awk "BEGIN {printf \"$1\", $2}"; }
+# measure COMMAND...: "elapsed s | CPU s | MB" of it; what it prints goes to ./answer
+measure() {
+  python3 - "$@" <<'END'
+import resource, subprocess, sys, time
+begin = time.monotonic()
+with open("answer", "wb") as answer:
+    subprocess.run(sys.argv[1:], stdout=answer, check=True)
+seconds = time.monotonic() - begin
+used = resource.getrusage(resource.RUSAGE_CHILDREN)
+print(f"{seconds:.2f} | {used.ru_utime + used.ru_stime:.2f} | {used.ru_maxrss / 1024:.0f}")
+END
+}
 load=$(cut -d' ' -f1 /proc/loadavg)
 
 # 1. The cost of running one.
@@ -70,7 +82,7 @@ size=$(stat -c %s results/poreclog.sqlite)
   echo
   echo "| | |"
   echo "|---|---|"
-  echo "| CPU of the orchestrator, per realisation | $cpu ms |"
+  echo "| CPU of the orchestrator (getrusage of itself, from start to end, without its children), per realisation | $cpu ms |"
   echo "| elapsed, with the solver, per realisation | $wall ms |"
   echo "| memory of the orchestrator | $memory kB |"
   echo "| GNU parallel --joblog, the same commands without ingestion | $beside |"
@@ -87,21 +99,26 @@ size=$(stat -c %s results/poreclog.sqlite)
   echo "| database | $(ratio %.0f "$size/1e6") MB, $(ratio %.0f "$size/$realisations") bytes per realisation |"
   echo
   echo "Questions to that database, with the program's start and the printing of the answer"
-  echo "(as CSV, into a file):"
+  echo "(as CSV, into a file), and what else reads all of it; memory counts from the 14 MB of"
+  echo "the script that measures it:"
   echo
-  echo "| question | rows | seconds |"
-  echo "|---|---|---|"
+  echo "| question | rows | elapsed s | CPU s | memory MB |"
+  echo "|---|---|---|---|---|"
+  ask() { # NAME WORDS...
+    local name=$1 times
+    shift
+    times=$(measure "$poreclog" query many "$@" --csv)
+    echo "| $name | $(($(wc -l <answer) - 1)) | $times |"
+  }
   for name in progress points clogging curves layers costs failures incidents programs realisations; do
-    begin=$(now)
-    "$poreclog" query many "$name" --csv >answer
-    echo "| $name | $(($(wc -l <answer) - 1)) | $(ratio %.2f "$(now)-$begin") |"
+    ask "$name" "$name"
   done
-  begin=$(now)
-  "$poreclog" query many "SELECT * FROM v_series WHERE campaign = :campaign AND point = 0 AND idx = 4321" --csv >answer
-  echo "| v_series of one realisation | $(($(wc -l <answer) - 1)) | $(ratio %.2f "$(now)-$begin") |"
-  begin=$(now)
-  "$poreclog" status many --json >answer
-  echo "| status | 1 | $(ratio %.2f "$(now)-$begin") |"
+  ask "v_series of one realisation" \
+    "SELECT * FROM v_series WHERE campaign = :campaign AND point = 0 AND idx = $((realisations / 23))"
+  echo "| status | | $(measure "$poreclog" status many --json) |"
+  echo "| resume --dry-run | | $(measure "$poreclog" resume many --dry-run --json) |"
+  echo "| statistics | | $(measure "$poreclog" statistics many --json) |"
+  echo "| report | | $(measure "$poreclog" report many --output report) |"
   echo
   echo "- command: \`PRESET=$preset scripts/scale.sh $realisations $jobs\`"
   echo "- program: $("$poreclog" --version)"

@@ -19,6 +19,11 @@ inline std::string clogging_scene(const std::string& duration = "1 s",
               "capture_gap": "200 nm"}})";
 }
 
+/// The scene by another tier.
+inline std::string in_tier(std::string scene, const std::string& tier) {
+  return scene.replace(scene.find("one_way"), 7, tier);
+}
+
 /// Runs a Python script of the tests with Debian's python3, to which h5py belongs.
 inline int run_python(const std::string& script, const std::string& arguments) {
   const std::string command = PORECLOG_PYTHON " " PORECLOG_SOURCE_DIR "/tests/" + script +

@@ -3,8 +3,8 @@
 // environment variables, every fault a solver can have.
 //
 //   FAKE_FAULT        hang | ignore_term | crash | abort_exit | not_converged | refuse |
-//                     nonsense | no_file | torn | foreign_seed | foreign_scene |
-//                     random_result | exit_5
+//                     nonsense | no_file | torn | incomplete | foreign_seed |
+//                     foreign_scene | random_result | exit_5
 //   FAKE_ATTEMPTS     the fault befalls the first so many attempts of a realisation only
 //   FAKE_ONE_IN       and only seeds that this number divides
 //   FAKE_SECONDS      how long it takes (default 0)
@@ -266,7 +266,7 @@ void write_result(const Arguments& arguments, const json& scene) {
   put_number(file, "traversed", 95.0 - static_cast<double>(story.retention.size()));
   write_series(file, story);
   write_retained(file, story, random);
-  put_number(file, "complete", 1.0);
+  put_number(file, "complete", fault == "incomplete" ? 0.0 : 1.0);
   const bool written = H5Fclose(file) >= 0;
   if (fault == "torn") {
     std::filesystem::resize_file(part, std::filesystem::file_size(part) / 2);

@@ -28,7 +28,8 @@ class Solver(orchestrator.Bench):
         return sorted(row[0] for row in self.ask("SELECT cause FROM v_attempt"))
 
     def test_that_fails_once_is_tried_again_and_changes_nothing(self):
-        for fault, cause in [("torn", "torn_result"), ("foreign_seed", "foreign_result"),
+        for fault, cause in [("torn", "torn_result"), ("incomplete", "torn_result"),
+                             ("foreign_seed", "foreign_result"),
                              ("foreign_scene", "foreign_result"), ("crash", "crashed"),
                              ("abort_exit", "internal_error"), ("no_file", "no_result"),
                              ("nonsense", "internal_error"), ("exit_5", "killed")]:

@@ -47,8 +47,8 @@ bool exists(const std::string& path) {
   return access(path.c_str(), F_OK) == 0;
 }
 
-TEST(InterruptedRun, EndsWithTheSameDatasetsAfterManySignals) {
-  const std::string scene = write_temporary("interrupted.json", clogging_scene());
+void interrupt_often(const std::string& scene_text) {
+  const std::string scene = write_temporary("interrupted.json", scene_text);
   const std::string reference = reference_result(scene);
   for (const int signal : {SIGTERM, SIGINT}) {
     const std::string result = temporary("interrupted.h5");
@@ -76,6 +76,14 @@ TEST(InterruptedRun, EndsWithTheSameDatasetsAfterManySignals) {
     EXPECT_FALSE(exists(checkpoint)) << "a finished run leaves no checkpoint";
     EXPECT_EQ(run_python("same_datasets.py", reference + " " + result), 0);
   }
+}
+
+TEST(InterruptedRun, EndsWithTheSameDatasetsAfterManySignals) {
+  interrupt_often(clogging_scene());
+}
+
+TEST(InterruptedRun, EndsWithTheSameDatasetsInTheTierQuasiSteady) {
+  interrupt_often(in_tier(clogging_scene("0.15 s"), "quasi_steady"));
 }
 
 TEST(InterruptedRun, GoesOnFromItsLastIntervalAfterAKill) {

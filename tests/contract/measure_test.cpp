@@ -380,11 +380,30 @@ TEST(MeasureFiles, AreRefusedByNameAndLine) {
   }
 }
 
-TEST(MeasureScene, WithBodiesNamesTheTierItNeeds) {
-  const std::string bodies =
+// A force in a closed box: the speed by Stokes' law less what walls at five diameters
+// slow down; nothing sideways.
+TEST(MeasureScene, MovesBodies) {
+  const std::string scene =
       PORECLOG_SOURCE_DIR "/campaigns/scenes/settling_body.scene.json";
-  expect_refused("measure " + bodies, "quasi_steady");
-  expect_refused("describe --regime " + bodies + " --json", "quasi_steady");
+  const json m = answer("measure " + scene + " --cells-per-diameter 8");
+  const json& body = m.at("bodies").at(0);
+  const double stokes = -1e-12 / (6.0 * 3.14159265358979 * 1e-3 * 5e-6);
+  EXPECT_GT(body.at("velocity_m_s").at(2).get<double>() / stokes, 0.75);
+  EXPECT_LT(body.at("velocity_m_s").at(2).get<double>() / stokes, 0.90);
+  EXPECT_NEAR(body.at("velocity_m_s").at(0).get<double>() / stokes, 0.0, 1e-4);
+  EXPECT_NEAR(body.at("force_N").at(2).get<double>(), 1e-12, 1e-16);
+  EXPECT_NEAR(body.at("torque_N_m").at(1).get<double>() / (1e-12 * 5e-6), 0.0, 1e-4);
+  EXPECT_TRUE(m.at("spheres").empty());
+}
+
+TEST(MeasureScene, RefusesBodiesThatNothingHolds) {
+  std::string text = R"({"geometry": {"box": ["50 um", "50 um", "50 um"],
+    "faces": {"x-": "periodic", "x+": "periodic", "y-": "periodic", "y+": "periodic",
+              "z-": "periodic", "z+": "periodic"},
+    "bodies": [{"center": ["20 um", "20 um", "20 um"], "diameter": "10 um",
+                "force": ["0 N", "0 N", "1 pN"]}]},
+    "fidelity": {"tier": "quasi_steady"}})";
+  expect_refused("measure " + write_temporary("drift.json", text), "/geometry/bodies");
 }
 
 // A relative residual of 1e-14 is below what rounding leaves at this grid.

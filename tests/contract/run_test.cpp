@@ -43,9 +43,8 @@ TEST(Run, StopsWhenClogged) {
 }
 
 TEST(Run, ChoosesATierAndSaysWhy) {
-  std::string text = clogging_scene("0.05 s");
-  text.replace(text.find("one_way"), 7, "auto");
-  const std::string scene = write_temporary("auto.json", text);
+  const std::string scene =
+      write_temporary("auto.json", in_tier(clogging_scene("0.05 s"), "auto"));
   const Outcome outcome =
       run_program("run " + scene + " -o " + temporary("auto.h5") + " --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -53,6 +52,24 @@ TEST(Run, ChoosesATierAndSaysWhy) {
   EXPECT_EQ(json.at("tier"), "one_way");
   const auto reason = json.at("tier_reason").get<std::string>();
   EXPECT_NE(reason.find("Re_throat"), std::string::npos) << reason;
+}
+
+TEST(Run, ResolvesEveryColloidInTheTierQuasiSteady) {
+  for (const std::string lubrication : {"full", "resolved_only"}) {
+    std::string text = in_tier(clogging_scene("0.1 s"), "quasi_steady");
+    text.replace(text.find(R"("hindrance": "wall")"), 19,
+                 R"("lubrication": ")" + lubrication + R"(")");
+    const std::string scene = write_temporary("resolved.json", text);
+    const Outcome outcome =
+        run_program("run " + scene + " -o " + temporary("resolved.h5") + " --json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json.at("tier"), "quasi_steady");
+    const Json& solver = json.at("solver");
+    EXPECT_GT(solver.at("resolved_solves").get<double>(), 10.0);
+    EXPECT_GE(solver.at("resolved_iterations"), solver.at("resolved_solves"));
+    EXPECT_EQ(solver.at("overlaps"), 0.0);
+  }
 }
 
 TEST(Run, ShowsProgress) {

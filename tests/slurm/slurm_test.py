@@ -129,7 +129,9 @@ class Arrays(OnSlurm):
         done = self.poreclog("run", campaign, "--executor", "slurm", "--dry-run", "--json")
         plan = json.loads(done.stdout)
         self.assertEqual((plan["to_run"], plan["slurm"]["sbatch_calls"]), (7, 1))
-        self.assertEqual(plan["reasons"], {"it has not been begun": 7})
+        self.assertEqual([(c["action"], c["reason"], c["count"])
+                          for c in plan["ensembles"][0]["classes"]],
+                         [("run", "never_tried", 7)])
         self.assertIn("--partition=main", plan["slurm"]["command"])
         self.assertFalse(self.runs.exists() or self.database.exists())
         script = self.folder / "script"
@@ -137,7 +139,7 @@ class Arrays(OnSlurm):
         subprocess.run(["sh", "-n", script], check=True)
         text = self.poreclog("submit", campaign, "--dry-run").stdout
         self.assertIn("#!/bin/sh", text)
-        self.assertIn("because it has not been begun", text)
+        self.assertIn("never tried  [0-6]", text)
 
 
 class SmallSite(OnSlurm):

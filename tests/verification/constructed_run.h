@@ -48,6 +48,7 @@ inline Realisation run_from(const Scene& scene, const Start& start,
   checkpoint.realisation.tier = "one_way";
   pack(state, checkpoint.reals, checkpoint.integers);
   checkpoint.reals["flow"] = flow.state();
+  checkpoint.reals["motion"] = {};
   checkpoint.reals["first_permeability"] = {first_permeability};
   checkpoint.integers["flow_counts"] = {flow.solves(), flow.iterations(), 0};
   RunOptions options;

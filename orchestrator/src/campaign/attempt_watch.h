@@ -24,8 +24,12 @@ class AttemptWatch {
   /// begun: then its folder need not be looked at, of which there may be 100,000.
   virtual std::optional<int> waiting(const std::string& realisation_folder) = 0;
 
-  /// Where the attempt is.  One that has ended without saying so gets an ending.
-  virtual Presence presence(const std::string& attempt_folder) = 0;
+  /// Where the attempt is.
+  virtual Presence presence(const std::string& attempt_folder) const = 0;
+
+  /// The same; one that has ended without saying so gets an ending, after which nothing
+  /// can begin it any more.
+  virtual Presence conclude(const std::string& attempt_folder) = 0;
 };
 
 }  // namespace colloid

@@ -1,11 +1,9 @@
 #include "campaign/expand.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -19,27 +17,6 @@ namespace colloid {
 namespace {
 
 using nlohmann::json;
-
-/// A file for the solver to read, removed at the end of its scope.
-class TemporaryFile {
- public:
-  TemporaryFile()
-      : path_(
-            (std::filesystem::temp_directory_path() / "poreclog-scene-XXXXXX").string()) {
-    const int descriptor = ::mkstemp(path_.data());
-    if (descriptor < 0) {
-      throw StorageError("no temporary file can be made in the folder for such files");
-    }
-    ::close(descriptor);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { ::unlink(path_.c_str()); }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// One choice of a value for every varied pointer: its index in the list.
 using Choice = std::map<std::string, std::size_t>;
@@ -103,7 +80,7 @@ bool is_within(const std::string& pointer, const std::string& outer) {
          (pointer.size() == outer.size() || pointer[outer.size()] == '/');
 }
 
-/// Says again what the solver said of a temporary file, of the line the user wrote.
+/// Says again what the solver said of a file of ours, of the line the user wrote.
 [[noreturn]] void refuse_scene(const Campaign& campaign, const Choice& choice,
                                const std::string& complaint) {
   const std::size_t at = complaint.find(": /");
@@ -138,10 +115,8 @@ bool is_within(const std::string& pointer, const std::string& outer) {
 
 json spelt_out(const Campaign& campaign, const SolverProgram& solver,
                const Choice& choice, const std::string& tier) {
-  const TemporaryFile file;
-  write_whole(file.path(), patched(campaign, choice, tier).dump(1) + "\n", false);
   try {
-    return solver.spell_out(file.path());
+    return solver.spell_out(patched(campaign, choice, tier));
   } catch (const InputError& error) {
     if (error.where() != "scene") {
       throw;

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/memory_file.h"
 #include "base/subprocess.h"
 
 namespace colloid {
@@ -49,10 +50,18 @@ SolverProgram SolverProgram::find(const std::optional<std::string>& option) {
   return SolverProgram(absolute(found->string()));
 }
 
-json SolverProgram::describe(const std::vector<std::string>& options) const {
+json SolverProgram::describe(const std::vector<std::string>& options,
+                             const json& scene) const {
+  const MemoryFile file(scene.dump(1) + "\n");
   std::vector<std::string> words{path_, "describe"};
   words.insert(words.end(), options.begin(), options.end());
-  const ProgramOutput output = run_program(words);
+  words.push_back(file.path());
+  ProgramOutput output = run_program(words);
+  // The file is our own affair: its name says nothing, and changes from run to run.
+  for (std::size_t at = output.err.find(file.path()); at != std::string::npos;
+       at = output.err.find(file.path(), at)) {
+    output.err.replace(at, file.path().size(), "scene");
+  }
   if (output.exit_code == 2) {
     std::string why = output.err.substr(0, output.err.find('\n'));
     const std::size_t name = why.find(": ");
@@ -66,13 +75,12 @@ json SolverProgram::describe(const std::vector<std::string>& options) const {
   return parsed;
 }
 
-json SolverProgram::spell_out(const std::string& scene_file) const {
-  return describe({"--scene", scene_file});
+json SolverProgram::spell_out(const json& scene) const {
+  return describe({"--scene"}, scene);
 }
 
-json SolverProgram::regime(const std::string& scene_file) const {
-  const json answer = describe({"--json", "--regime", scene_file});
-  return answer.value("regime", json::object());
+json SolverProgram::regime(const json& scene) const {
+  return describe({"--json", "--regime"}, scene).value("regime", json::object());
 }
 
 std::vector<std::string> SolverProgram::run_command(

@@ -22,12 +22,12 @@ class SolverProgram {
 
   const std::string& path() const { return path_; }
 
-  /// `describe --scene`: the scene in the file with every default spelled out. InputError
-  /// with the solver's own words if it is refused.
-  nlohmann::json spell_out(const std::string& scene_file) const;
+  /// `describe --scene`: the scene with every default spelled out.  InputError with the
+  /// solver's own words if it is refused.
+  nlohmann::json spell_out(const nlohmann::json& scene) const;
 
   /// `describe --regime --json`: the regime's numbers, the models and why.
-  nlohmann::json regime(const std::string& scene_file) const;
+  nlohmann::json regime(const nlohmann::json& scene) const;
 
   /// The command line of one realisation.
   std::vector<std::string> run_command(const Plan& plan, const Item& item,
@@ -35,7 +35,8 @@ class SolverProgram {
                                        const std::string& result_file) const;
 
  private:
-  nlohmann::json describe(const std::vector<std::string>& options) const;
+  nlohmann::json describe(const std::vector<std::string>& options,
+                          const nlohmann::json& scene) const;
 
   std::string path_;
 };

@@ -1,5 +1,7 @@
 #include "commands/campaign_run.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/clock.h"
@@ -12,6 +14,9 @@
 namespace colloid {
 
 namespace {
+
+constexpr std::size_t kTogether = 100;  // results
+constexpr double kLongestLag = 0.2;     // [s] of the database
 
 long& of(std::array<long, 5>& counts, Status status) {
   return counts.at(static_cast<std::size_t>(status));
@@ -36,21 +41,24 @@ CampaignRun::CampaignRun(const Plan& plan, const RunFolder& folder,
 int CampaignRun::run() {
   try {
     begin();
-    for (;;) {
-      start_all();
-      if (active_.empty()) {
-        break;
+    start();
+    while (!active_.empty() || !ended_.empty()) {
+      if (is_record_due()) {
+        record();
+      } else {
+        wait_for_event();
+        if (leaves_) {
+          break;
+        }
+        for (const std::int64_t id : executor_.poll()) {
+          note_end(id);
+        }
       }
-      wait_for_event();
-      if (leaves_) {
-        break;
-      }
-      for (const std::int64_t id : executor_.poll()) {
-        settle(id);
-      }
+      start();
       progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed),
                      static_cast<long>(active_.size()));
     }
+    record();
     store_.refresh_curves();
   } catch (const StorageError&) {
     if (!executor_.outlasts_caller()) {
@@ -65,7 +73,8 @@ int CampaignRun::run() {
 
 int CampaignRun::launch() {
   begin();
-  start_all();
+  start();
+  record();
   if (stops_ == 0) {
     why_stopped_ = executor_.limited_by();
   }
@@ -78,7 +87,19 @@ void CampaignRun::begin() {
   counts_ = store_.count();
 }
 
-void CampaignRun::start_all() {
+void CampaignRun::adopt(const std::vector<AttemptOf>& running) {
+  for (const AttemptOf& attempt : running) {
+    const std::string folder =
+        attempt_folder(folder_.realisation(plan_, attempt.item), attempt.number);
+    const std::int64_t id = ++last_id_;
+    active_[id] = attempt;
+    if (!executor_.adopt({id, folder, {}, 0.0, 0.0})) {
+      note_end(id);  // it has ended since
+    }
+  }
+}
+
+void CampaignRun::start() {
   Item item;
   while (stops_ == 0) {
     std::vector<Job> jobs;
@@ -92,16 +113,48 @@ void CampaignRun::start_all() {
   }
 }
 
-void CampaignRun::adopt(const std::vector<AttemptOf>& running) {
-  for (const AttemptOf& attempt : running) {
-    const std::string folder =
-        attempt_folder(folder_.realisation(plan_, attempt.item), attempt.number);
-    const std::int64_t id = ++last_id_;
-    active_[id] = attempt;
-    if (!executor_.adopt({id, folder, {}, 0.0, 0.0})) {
-      settle(id);  // it has ended since
+void CampaignRun::note_end(std::int64_t id) {
+  if (begun_.empty() && ended_.empty()) {
+    first_change_ = monotonic_seconds();
+  }
+  const AttemptOf& attempt = active_.at(id);
+  const std::string folder =
+      attempt_folder(folder_.realisation(plan_, attempt.item), attempt.number);
+  one_failed_ = one_failed_ || !is_file(folder + "/result.h5");
+  ended_.push_back(attempt);
+  active_.erase(id);
+  begun_.erase(id);
+}
+
+bool CampaignRun::is_record_due() const {
+  // Failures at once: there may be something to try again, or to stop for.  And what
+  // comes from a scheduler: it is asked seldom, and tells of many jobs together.
+  return one_failed_ || ended_.size() >= kTogether ||
+         (active_.empty() && !ended_.empty()) ||
+         ((!begun_.empty() || !ended_.empty()) &&
+          (executor_.outlasts_caller() ||
+           monotonic_seconds() - first_change_ >= kLongestLag));
+}
+
+void CampaignRun::record() {
+  Batch batch(store_);
+  std::size_t count = 0;
+  for (const AttemptOf& attempt : ended_) {
+    settle(attempt);
+    if (++count % kTogether == 0) {
+      batch.commit();  // other campaigns need not wait for thousands
     }
   }
+  for (const auto& [id, attempt] : begun_) {
+    const Item& item = active_.at(id).item;
+    --of(counts_, store_.status(item));
+    store_.begin_attempt(item, attempt);
+    ++of(counts_, Status::active);
+  }
+  batch.commit();
+  ended_.clear();
+  begun_.clear();
+  one_failed_ = false;
 }
 
 bool CampaignRun::next(Item& item) {
@@ -145,18 +198,17 @@ Job CampaignRun::prepare(const Item& item) {
   attempt.started = utc_now();
   attempt.node = host_name();
   write_new(folder + "/command", attempt.command + "\n");
-  --of(counts_, store_.status(item));
-  store_.begin_attempt(item, attempt);
-  ++of(counts_, Status::active);
+  if (begun_.empty() && ended_.empty()) {
+    first_change_ = monotonic_seconds();
+  }
   const std::int64_t id = ++last_id_;
   active_[id] = {item, attempt.number};
+  begun_[id] = std::move(attempt);
   return {id, folder, std::move(words), plan_.limits.seconds_per_realisation,
           plan_.limits.seconds_to_stop};
 }
 
-void CampaignRun::settle(std::int64_t id) {
-  const AttemptOf ended = active_.at(id);
-  active_.erase(id);
+void CampaignRun::settle(const AttemptOf& ended) {
   --of(counts_, store_.status(ended.item));
   const Settled settled = ingester_.settle(ended.item, ended.number);
   ++of(counts_, settled.status);
@@ -171,7 +223,17 @@ void CampaignRun::settle(std::int64_t id) {
 }
 
 void CampaignRun::wait_for_event() {
-  if (signals_.wait(executor_.pace()) != Signals::Event::stop) {
+  double patience = executor_.pace();
+  if (!begun_.empty() || !ended_.empty()) {
+    patience = std::min(patience, first_change_ + kLongestLag - monotonic_seconds());
+  }
+  const double end = monotonic_seconds() + patience;
+  Signals::Event event = signals_.wait(patience);
+  while (event == Signals::Event::child && executor_.outlasts_caller()) {
+    // It was the child with which the executor asked its scheduler.
+    event = signals_.wait(end - monotonic_seconds());
+  }
+  if (event != Signals::Event::stop) {
     return;
   }
   ++stops_;

@@ -1,4 +1,10 @@
 // Runs a campaign's realisations to their end: joins executor, ingester and store.
+//
+// The database follows what happens by a fraction of a second, because results that are
+// ingested together cost half as much (files and pages are still in the processor's
+// caches, and one transaction takes all), and because no solver should wait for it.
+// Nothing depends on it: what has begun and ended is in the attempts' folders, from which
+// catch_up() takes it whenever we are killed.
 #pragma once
 
 #include <deque>
@@ -36,12 +42,19 @@ class CampaignRun {
   /// The next realisation to start: retries first, then by index, so that all design
   /// points advance together and what is finished is a prefix of every ensemble.
   bool next(Item& item);
+  /// Takes over what an earlier process left behind.
   void begin();
-  /// Starts what is eligible as far as the executor takes it.
-  void start_all();
+  /// Starts what there is room for.
+  void start();
+  /// Claims the folder of a realisation's next attempt and describes its job.
   Job prepare(const Item& item);
   void adopt(const std::vector<AttemptOf>& running);
-  void settle(std::int64_t id);
+  /// A job has ended; what it left is settled with that of others (record).
+  void note_end(std::int64_t id);
+  /// Is it time to bring the database up to what has begun and ended?
+  bool is_record_due() const;
+  void record();
+  void settle(const AttemptOf& ended);
   void wait_for_event();
   void drain_after_failure();
   int exit_code();
@@ -56,6 +69,11 @@ class CampaignRun {
   std::array<long, 5> counts_;
   Progress progress_;
   std::map<std::int64_t, AttemptOf> active_;
+  std::map<std::int64_t, AttemptRecord>
+      begun_;                     ///< of the active ones, not in the database
+  std::vector<AttemptOf> ended_;  ///< not settled yet
+  bool one_failed_ = false;       ///< of the ended ones: without a result
+  double first_change_ = 0.0;     ///< of begun_ and ended_ [s]
   std::deque<Item> retries_;
   Item cursor_;
   std::int64_t last_id_ = 0;

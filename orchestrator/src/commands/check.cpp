@@ -1,12 +1,10 @@
 #include "commands/check.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <thread>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/files.h"
 #include "base/text.h"
@@ -27,17 +25,6 @@ struct Cost {
   std::optional<double> seconds;  ///< of wall time
   std::string basis;
 };
-
-/// The regime of a scene that stands in no file yet.
-nlohmann::json regime_of(const SolverProgram& solver, const nlohmann::json& scene) {
-  const std::string path = (std::filesystem::temp_directory_path() /
-                            fmt::format("poreclog-check-{}.json", ::getpid()))
-                               .string();
-  write_whole(path, scene.dump() + "\n", false);
-  nlohmann::json regime = solver.regime(path);
-  ::unlink(path.c_str());
-  return regime;
-}
 
 /// Realisations of an ensemble that are in the database, and the mean of their time.
 struct Past {
@@ -102,7 +89,7 @@ class Check : public Command {
     long to_run = 0;
     std::optional<double> core_seconds = 0.0;
     for (const Ensemble& e : plan.ensembles) {
-      const nlohmann::json regime = regime_of(solver, e.scene);
+      const nlohmann::json regime = solver.regime(e.scene);
       const Past past = past_of(plan, e, absolute(common_.database));
       const Cost cost = cost_of(regime, past, plan);
       const long left = plan.realisations - past.ingested - past.failed;

@@ -51,62 +51,89 @@ std::string csv_field(const std::string& text) {
   return out + "\"";
 }
 
-std::string csv(const QueryResult& result) {
-  std::string out;
-  const auto add_row = [&](const auto& row, const auto& text_of) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      out += (i == 0 ? "" : ",") + csv_field(text_of(row[i]));
-    }
-    out += "\r\n";
-  };
-  add_row(result.columns, [](const std::string& name) { return name; });
-  for (const auto& row : result.rows) {
-    add_row(row, cell);
-  }
-  return out;
-}
+/// The answer as it comes: it may have a row for every realisation of a large campaign.
+class Printer {
+ public:
+  Printer(const std::string& database, const std::string& sql,
+          const std::string& campaign)
+      : ask_([=](const auto& columns, const auto& row) {
+          ask(database, sql, campaign, columns, row);
+        }) {}
 
-std::string table(const QueryResult& result) {
-  std::vector<std::size_t> widths;
-  widths.reserve(result.columns.size());
-  for (const std::string& name : result.columns) {
-    widths.push_back(name.size());
+  void csv() const {
+    ask_([](const auto& columns) { csv_row(columns, [](const auto& c) { return c; }); },
+         [](const Row& row) { csv_row(row, cell); });
   }
-  for (const auto& row : result.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], cell(row[i]).size());
+
+  /// Asks twice: the widths of the columns first.
+  void table() const {
+    std::vector<std::size_t> widths;
+    ask_(
+        [&](const auto& columns) {
+          widths.reserve(columns.size());
+          for (const std::string& name : columns) {
+            widths.push_back(name.size());
+          }
+        },
+        [&](const Row& row) {
+          for (std::size_t i = 0; i < row.size(); ++i) {
+            widths[i] = std::max(widths[i], cell(row[i]).size());
+          }
+        });
+    ask_(
+        [&](const auto& columns) {
+          table_row(Row(columns.begin(), columns.end()), widths);
+        },
+        [&](const Row& row) { table_row(row, widths); });
+  }
+
+  void json_value() const {
+    std::vector<std::string> names;
+    const char* separator = "\n";
+    ask_(
+        [&](const auto& columns) {
+          names = columns;
+          std::cout << "{\"schema_version\": 1,\n \"columns\": " << json(names).dump()
+                    << ",\n \"rows\": [";
+        },
+        [&](const Row& row) {
+          nlohmann::ordered_json object = nlohmann::ordered_json::object();
+          for (std::size_t i = 0; i < row.size(); ++i) {
+            object[names[i]] = row[i];
+          }
+          std::cout << separator
+                    << object.dump(-1, ' ', false, json::error_handler_t::replace);
+          separator = ",\n";
+        });
+    std::cout << "]}\n";
+  }
+
+ private:
+  using TakeColumns = std::function<void(const std::vector<std::string>&)>;
+  using TakeRow = std::function<void(Row&)>;
+
+  template <class Values, class TextOf>
+  static void csv_row(const Values& values, TextOf text_of) {
+    std::string line;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      line += (i == 0 ? "" : ",") + csv_field(text_of(values[i]));
     }
+    std::cout << line << "\r\n";
   }
-  std::string out;
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    out += fmt::format("{}{:<{}}", i == 0 ? "" : "  ", result.columns[i], widths[i]);
-  }
-  out += "\n";
-  for (const auto& row : result.rows) {
+
+  static void table_row(const Row& row, const std::vector<std::size_t>& widths) {
+    std::string line;
     for (std::size_t i = 0; i < widths.size(); ++i) {
       const std::string text = cell(row[i]);
-      out += i == 0 ? "" : "  ";
-      out += row[i].is_number() ? fmt::format("{:>{}}", text, widths[i])
-                                : fmt::format("{:<{}}", text, widths[i]);
+      line += i == 0 ? "" : "  ";
+      line += row[i].is_number() ? fmt::format("{:>{}}", text, widths[i])
+                                 : fmt::format("{:<{}}", text, widths[i]);
     }
-    out += "\n";
+    std::cout << line << "\n";
   }
-  return out;
-}
 
-std::string json_text(const QueryResult& result) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const auto& row : result.rows) {
-    nlohmann::ordered_json object = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      object[result.columns[i]] = row[i];
-    }
-    rows.push_back(std::move(object));
-  }
-  const nlohmann::ordered_json out{
-      {"schema_version", 1}, {"columns", result.columns}, {"rows", rows}};
-  return out.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-}
+  std::function<void(const TakeColumns&, const TakeRow&)> ask_;
+};
 
 std::string list_of_questions() {
   std::string out = "Questions by name (poreclog query CAMPAIGN NAME):\n";
@@ -157,8 +184,8 @@ class Query : public Command {
     const std::string database = absolute(common_.database);
     require(is_file(database), "--database",
             fmt::format("there is no {}", common_.database));
-    const QueryResult result = ask(database, statement, campaign);
-    std::cout << (common_.json ? json_text(result) : csv_ ? csv(result) : table(result));
+    const Printer printer(database, statement, campaign);
+    common_.json ? printer.json_value() : csv_ ? printer.csv() : printer.table();
     return exit_done;
   }
 

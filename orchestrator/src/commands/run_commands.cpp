@@ -13,8 +13,8 @@
 #include "base/signals.h"
 #include "commands/campaign_lock.h"
 #include "commands/campaign_run.h"
+#include "commands/dry_run.h"
 #include "commands/open_campaign.h"
-#include "commands/planned_work.h"
 #include "commands/slurm_campaign.h"
 #include "commands/write_report.h"
 #include "execute/local_executor.h"
@@ -107,9 +107,6 @@ class WorkCommand : public Command {
         ->envname("PORECLOG_EXECUTOR")
         ->check(CLI::IsMember({"local", "slurm"}));
     app.add_flag("--wait", wait_, "With Slurm: stay until all realisations have ended");
-    app.add_flag("--dry-run", dry_run_,
-                 "Print what would run and why, and for Slurm the script and the "
-                 "command; change nothing");
     app.add_option("--output", output_,
                    "Folder for report.html and statistics.json (default: "
                    "results/reports/<campaign>)")
@@ -130,18 +127,20 @@ class WorkCommand : public Command {
     if (workers_ > 0) {
       plan.limits.workers = workers_;
     }
-    const SolverProgram solver = SolverProgram::find(common_.solver);
     const RunFolder folder(common_.runs, plan.campaign);
-    const std::string database = absolute(common_.database);
-    if (dry_run_) {
-      return print_plan(plan, folder, database);
-    }
-    make_places(folder, database);
-    const FileLock lock = lock_campaign(folder);
     const bool to_slurm = plan.executor == "slurm";
     require(to_slurm || !has_slurm_jobs(plan, folder), "--executor",
             "is local, but jobs of this campaign are on Slurm: go on with --executor "
             "slurm, or `poreclog cancel` them first");
+    if (dry_run_) {
+      const nlohmann::ordered_json answer = dry_run(plan, common_);
+      std::cout << (common_.json ? answer.dump(2) + "\n" : dry_run_text(answer));
+      return exit_done;
+    }
+    const SolverProgram solver = SolverProgram::find(common_.solver);
+    const std::string database = absolute(common_.database);
+    make_places(folder, database);
+    const FileLock lock = lock_campaign(folder);
     folder.write_plan(plan);
     Store store(database, plan, folder.path());
     prepare(plan, store, folder);
@@ -189,6 +188,11 @@ class WorkCommand : public Command {
 
   const CommonOptions& common() const { return common_; }
   void choose_executor(const std::string& name) { executor_ = name; }
+  void declare_dry_run(CLI::App& app) {
+    app.add_flag("--dry-run", dry_run_,
+                 "Print what would be run and why, and for Slurm the command and the "
+                 "script; run and write nothing");
+  }
 
  private:
   /// A place that cannot be written to is refused: nothing has begun yet.
@@ -203,21 +207,6 @@ class WorkCommand : public Command {
     ::unlink((folder.path() + "/writable").c_str());
   }
 
-  int print_plan(const Plan& plan, const RunFolder& folder,
-                 const std::string& database) const {
-    const std::vector<PlannedItem> planned = planned_work(plan, database);
-    nlohmann::ordered_json out = planned_json(plan, folder, planned);
-    std::string text = planned_text(out);
-    if (plan.executor == "slurm") {
-      const SlurmPlan arrays =
-          slurm_plan(plan, folder, find_keeper(), static_cast<long>(planned.size()));
-      out["slurm"] = arrays.json;
-      text += arrays.text;
-    }
-    std::cout << (common_.json ? out.dump(2) + "\n" : text);
-    return exit_done;
-  }
-
   CommonOptions common_;
   std::string campaign_;
   std::string output_;
@@ -230,12 +219,14 @@ class WorkCommand : public Command {
 
 class Run : public WorkCommand {
  protected:
+  void declare_more(CLI::App& app) override { declare_dry_run(app); }
   bool waits_for_slurm() const override { return true; }
 };
 
 /// Hands a campaign to Slurm, whatever executor it names.
 class Submit : public WorkCommand {
  protected:
+  void declare_more(CLI::App& app) override { declare_dry_run(app); }
   void change(OpenedCampaign&) override { choose_executor("slurm"); }
   int left_with_slurm(int exit_code, const Store& store) const override {
     const std::array<long, 5> counts = store.count();
@@ -247,6 +238,7 @@ class Submit : public WorkCommand {
 
 class Resume : public WorkCommand {
  protected:
+  void declare_more(CLI::App& app) override { declare_dry_run(app); }
   void change(OpenedCampaign& opened) override {
     require(opened.exists, "campaign",
             fmt::format("{} has not been run with --runs {}: there is nothing to resume; "
@@ -302,6 +294,7 @@ class Retry : public Resume {
 class Extend : public Resume {
  protected:
   void declare_more(CLI::App& app) override {
+    declare_dry_run(app);
     auto* size = app.add_option_group("size", "Exactly one:");
     size->add_option("--by", by_, "So many more of each design point")
         ->check(CLI::Range(1, 10'000'000));

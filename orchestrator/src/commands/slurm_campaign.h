@@ -15,8 +15,10 @@ namespace colloid {
 /// Client, journal and jobs of one campaign.
 class SlurmCampaign {
  public:
+  enum class Access { read_only, read_write };
   /// Reads the journal and asks Slurm, if there is something to ask for.
-  SlurmCampaign(const Plan& plan, const RunFolder& folder);
+  SlurmCampaign(const Plan& plan, const RunFolder& folder,
+                Access access = Access::read_write);
 
   const SlurmClient& client() const { return client_; }
   const SlurmJournal& journal() const { return journal_; }
@@ -33,15 +35,6 @@ class SlurmCampaign {
   SlurmJournal journal_;
   SlurmJobs jobs_;
 };
-
-/// What would be sent to Slurm for so many realisations: the limits that were read, the
-/// layout and its reasons, the first command and its script.
-struct SlurmPlan {
-  nlohmann::ordered_json json;
-  std::string text;
-};
-SlurmPlan slurm_plan(const Plan& plan, const RunFolder& folder, const std::string& keeper,
-                     long realisations);
 
 /// Has something been sent to Slurm that is not known to have ended?
 bool has_slurm_jobs(const Plan& plan, const RunFolder& folder);

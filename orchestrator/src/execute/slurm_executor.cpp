@@ -91,7 +91,7 @@ std::vector<std::int64_t> SlurmExecutor::poll() {
                      kLongestPace);
   std::vector<std::int64_t> ended;
   for (const auto& [id, folder] : running_) {
-    const Presence presence = jobs_.presence(folder);
+    const Presence presence = jobs_.conclude(folder);
     if (presence == Presence::ended ||
         (presence == Presence::not_mine && !is_running(folder))) {
       ended.push_back(id);

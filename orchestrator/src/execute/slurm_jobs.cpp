@@ -109,7 +109,7 @@ void SlurmJobs::remember(std::size_t submission) {
   }
 }
 
-void SlurmJobs::refresh() {
+void SlurmJobs::ask() {
   if (submissions_.empty()) {
     answered_ = true;
     return;
@@ -128,23 +128,31 @@ void SlurmJobs::refresh() {
         task = {};
       }
     } else {
-      refresh(known, by_name[known.submission.name]);
+      update(known, by_name[known.submission.name]);
     }
   }
 }
 
-void SlurmJobs::refresh(Known& known, const std::vector<SlurmTask>& listed) {
+void SlurmJobs::refresh() {
+  ask();
+  for (Known& known : submissions_) {
+    if (!known.submission.job && !known.jobs.empty()) {
+      journal_.accept(known.submission, known.jobs.front());
+    }
+  }
+}
+
+void SlurmJobs::update(Known& known, const std::vector<SlurmTask>& listed) const {
   Task absent{State::ended, "", ""};
   if (listed.empty()) {
-    if (!known.submission.job) {
+    if (known.jobs.empty()) {
       if (const auto job = client_.accounted(known.submission.name)) {
-        journal_.accept(known.submission, *job);
         known.jobs.push_back(*job);
       }
     }
     // squeue lists nothing of it: Slurm has to say so in as many words.
     const Answer known_to_slurm =
-        known.submission.job ? client_.knows(*known.submission.job) : Answer::no;
+        known.jobs.empty() ? Answer::no : client_.knows(known.jobs.front());
     absent.state = known_to_slurm == Answer::no ? State::ended : State::unknown;
   }
   std::fill(known.tasks.begin(), known.tasks.end(), absent);
@@ -166,9 +174,6 @@ void SlurmJobs::refresh(Known& known, const std::vector<SlurmTask>& listed) {
     if (now.state == State::ended || state == State::running) {
       now = {state, task.state, task.reason};
     }
-  }
-  if (!known.submission.job && !known.jobs.empty()) {
-    journal_.accept(known.submission, known.jobs.front());
   }
 }
 
@@ -204,15 +209,17 @@ std::optional<int> SlurmJobs::waiting(const std::string& realisation_folder) {
   return std::nullopt;
 }
 
-Presence SlurmJobs::presence(const std::string& attempt_folder) {
-  const auto listed = attempts_.find(attempt_folder);
-  const Task* task = nullptr;
-  if (listed != attempts_.end()) {
-    task = combined({listed->second});
-  } else if (const auto found = realisations_.find(parent_of(attempt_folder));
-             found != realisations_.end()) {
-    task = combined(found->second);  // begun by a task that Slurm began again
+const SlurmJobs::Task* SlurmJobs::task_of(const std::string& attempt_folder) const {
+  if (const auto listed = attempts_.find(attempt_folder); listed != attempts_.end()) {
+    return combined({listed->second});
   }
+  // Else it was begun by a task that Slurm began again.
+  const auto found = realisations_.find(parent_of(attempt_folder));
+  return found == realisations_.end() ? nullptr : combined(found->second);
+}
+
+Presence SlurmJobs::presence(const std::string& attempt_folder) const {
+  const Task* task = task_of(attempt_folder);
   if (task == nullptr) {
     return Presence::not_mine;
   }
@@ -232,9 +239,16 @@ Presence SlurmJobs::presence(const std::string& attempt_folder) {
   if (task->state == State::running || FileLock::is_held(attempt_folder + "/lock")) {
     return Presence::active;
   }
-  if (task->state == State::unknown) {
-    return Presence::unknown;
+  return task->state == State::unknown ? Presence::unknown : Presence::ended;
+}
+
+Presence SlurmJobs::conclude(const std::string& attempt_folder) {
+  const Presence now = presence(attempt_folder);
+  if (now != Presence::ended || !std::filesystem::exists(attempt_folder) ||
+      is_file(attempt_folder + "/ending.json")) {
+    return now;
   }
+  const Task* task = task_of(attempt_folder);
   const bool begun = !claim_unbegun(attempt_folder);
   if (!begun) {
     write_whole(attempt_folder + "/stderr",

@@ -26,10 +26,13 @@ class SlurmJobs : public AttemptWatch {
   SlurmJobs(const SlurmClient& client, const SlurmJournal& journal);
 
   /// Asks Slurm.  An answer to sbatch that was lost is found by the job's name.
+  void ask();
+  /// The same, and writes such answers down.
   void refresh();
 
   std::optional<int> waiting(const std::string& realisation_folder) override;
-  Presence presence(const std::string& attempt_folder) override;
+  Presence presence(const std::string& attempt_folder) const override;
+  Presence conclude(const std::string& attempt_folder) override;
 
   /// Takes in one that sbatch accepted just now, or whose answer was lost.  Its number
   /// for has_job, until something is closed.
@@ -72,7 +75,9 @@ class SlurmJobs : public AttemptWatch {
   using Place = std::pair<std::size_t, std::size_t>;  ///< submission, task
 
   void remember(std::size_t submission);
-  void refresh(Known& known, const std::vector<SlurmTask>& listed);
+  void update(Known& known, const std::vector<SlurmTask>& listed) const;
+  /// The task that runs the attempt, or has run it last; null if it is none of ours.
+  const Task* task_of(const std::string& attempt_folder) const;
   /// The state of the tasks together: active if one is, unknown if one is.
   const Task* combined(const std::vector<Place>& places) const;
 

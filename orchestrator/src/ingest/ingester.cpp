@@ -10,6 +10,7 @@
 #include "base/file_lock.h"
 #include "ingest/attempt_folder.h"
 #include "ingest/result_file.h"
+#include "ingest/standing.h"
 
 namespace colloid {
 
@@ -17,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A realisation whose attempts are lost so often is given up: something kills them.
-constexpr int kMostLost = 100;
+/// Realisations in one transaction: few enough that other campaigns need not wait long.
+constexpr int kTogether = 64;
 
 bool is_there(const std::string& path) {
   std::error_code ignored;
@@ -37,11 +38,19 @@ void put_checkpoint_aside(const std::string& realisation, const std::string& att
 std::vector<AttemptOf> Ingester::catch_up() {
   std::vector<AttemptOf> running;
   std::set<std::pair<std::size_t, int>> seen;
+  Batch batch(store_);
+  int count = 0;
+  const auto catch_up_with = [&](const Item& item) {
+    catch_up(item, running);
+    if (++count % kTogether == 0) {
+      batch.commit();
+    }
+  };
   for (std::size_t e = 0; e < plan_.ensembles.size(); ++e) {
     for (const int index : folder_.started(plan_.ensembles[e])) {
       const Item item{e, index};
       if (index < plan_.realisations && store_.status(item) != Status::ingested) {
-        catch_up(item, running);
+        catch_up_with(item);
         seen.insert({e, index});
       }
     }
@@ -50,9 +59,10 @@ std::vector<AttemptOf> Ingester::catch_up() {
   // folder is gone.
   for (const Item& item : store_.with_running_attempts()) {
     if (seen.count({item.ensemble, item.index}) == 0) {
-      catch_up(item, running);
+      catch_up_with(item);
     }
   }
+  batch.commit();
   return running;
 }
 
@@ -99,7 +109,7 @@ void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
   if (store_.status(item) != Status::ingested) {
     const Status status = is_active    ? Status::active
                           : is_unknown ? Status::unknown
-                                       : standing(item);
+                                       : standing_of(item);
     if (status != store_.status(item)) {
       store_.set_status(item, status);
     }
@@ -108,7 +118,7 @@ void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
 
 Presence Ingester::presence(const std::string& folder) {
   const Presence elsewhere =
-      watch_ == nullptr ? Presence::not_mine : watch_->presence(folder);
+      watch_ == nullptr ? Presence::not_mine : watch_->conclude(folder);
   if (elsewhere != Presence::not_mine) {
     return elsewhere;
   }
@@ -158,32 +168,14 @@ Settled Ingester::settle(const Item& item, int number) {
   }
   store_.end_attempt(item, attempt, store_.status(item), incidents);
   if (!was_ingested) {
-    store_.set_status(item, standing(item));
+    store_.set_status(item, standing_of(item));
   }
   return {store_.status(item), attempt.cause};
 }
 
-Status Ingester::standing(const Item& item) {
-  const std::string realisation = folder_.realisation(plan_, item);
-  const int forgiven = store_.forgiven(item);
-  int failures = 0;
-  int lost = 0;
-  bool hopeless = false;
-  for (const AttemptRecord& attempt : store_.attempts(item)) {
-    if (attempt.number <= forgiven) {
-      continue;
-    }
-    failures += counts_as_failure(attempt.cause) ? 1 : 0;
-    lost += attempt.cause == Cause::lost ? 1 : 0;
-    const bool checkpoint_was_refused =
-        attempt.cause == Cause::refused &&
-        is_there(attempt_folder(realisation, attempt.number) + "/checkpoint.refused.h5");
-    hopeless = hopeless || (counts_as_failure(attempt.cause) &&
-                            !is_worth_retrying(attempt.cause) && !checkpoint_was_refused);
-  }
-  return hopeless || failures >= plan_.limits.attempts || lost >= kMostLost
-             ? Status::failed
-             : Status::eligible;
+Status Ingester::standing_of(const Item& item) {
+  return standing(store_.attempts(item), store_.forgiven(item), plan_.limits,
+                  folder_.realisation(plan_, item));
 }
 
 std::string Ingester::foreign(const Item& item, const ResultRecord& result) {

@@ -44,7 +44,7 @@ class Ingester {
   /// Where an attempt without a recorded end is; one that is lost gets an ending.
   Presence presence(const std::string& folder);
   /// The status that the ended attempts leave a realisation in that is not ingested.
-  Status standing(const Item& item);
+  Status standing_of(const Item& item);
   /// Why the result is not that of the realisation; empty if it is.
   std::string foreign(const Item& item, const ResultRecord& result);
   std::string scene_hash_of(const std::string& scene, bool without_tier);

@@ -98,9 +98,11 @@ std::string Statement::text(int column) const {
 Database::Database(const std::string& path, Access access)
     : path_(path), handle_(nullptr, &sqlite3_close) {
   sqlite3* raw = nullptr;
-  const int flags = access == Access::read_only
-                        ? SQLITE_OPEN_READONLY
-                        : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  // One thread uses a connection: its locks would only cost time.
+  const int flags =
+      SQLITE_OPEN_NOMUTEX |
+      (access == Access::read_only ? SQLITE_OPEN_READONLY
+                                   : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   const int code = sqlite3_open_v2(path.c_str(), &raw, flags, nullptr);
   handle_.reset(raw);
   if (code != SQLITE_OK) {
@@ -116,7 +118,11 @@ void Database::execute(const std::string& sql) {
 }
 
 Transaction::Transaction(Database& database) : database_(database) {
-  database_.execute("BEGIN IMMEDIATE");
+  if (!database_.begin_) {
+    database_.begin_ = database_.prepare("BEGIN IMMEDIATE");
+    database_.commit_ = database_.prepare("COMMIT");
+  }
+  database_.begin_->reset().run();
 }
 
 Transaction::~Transaction() {
@@ -126,7 +132,7 @@ Transaction::~Transaction() {
 }
 
 void Transaction::commit() {
-  database_.execute("COMMIT");
+  database_.commit_->reset().run();
   open_ = false;
 }
 

@@ -48,6 +48,8 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)> handle_;
 };
 
+class Transaction;
+
 class Database {
  public:
   enum class Access { read_only, read_write };
@@ -63,8 +65,12 @@ class Database {
   const std::string& path() const { return path_; }
 
  private:
+  friend class Transaction;
+
   std::string path_;
   std::unique_ptr<sqlite3, decltype(&sqlite3_close)> handle_;
+  std::optional<Statement> begin_;  ///< prepared at the first transaction
+  std::optional<Statement> commit_;
 };
 
 /// Everything between construction and commit(), or nothing.

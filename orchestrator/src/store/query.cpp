@@ -37,6 +37,16 @@ int authorise(void*, int action, const char*, const char*, const char*, const ch
 
 QueryResult ask(const std::string& path, const std::string& sql,
                 const std::string& campaign) {
+  QueryResult result;
+  ask(
+      path, sql, campaign, [&](const auto& columns) { result.columns = columns; },
+      [&](Row& row) { result.rows.push_back(std::move(row)); });
+  return result;
+}
+
+void ask(const std::string& path, const std::string& sql, const std::string& campaign,
+         const std::function<void(const std::vector<std::string>&)>& take_columns,
+         const std::function<void(Row&)>& take_row) {
   const Database database(path, Database::Access::read_only);
   check_schema(database);
   sqlite3_set_authorizer(database.connection(), authorise, nullptr);
@@ -57,20 +67,22 @@ QueryResult ask(const std::string& path, const std::string& sql,
     require(!campaign.empty(), "query", "needs a campaign: poreclog query CAMPAIGN ...");
     statement.bind(parameter, campaign);
   }
-  QueryResult result;
   const int columns = sqlite3_column_count(statement.handle());
+  std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(columns));
   for (int i = 0; i < columns; ++i) {
-    result.columns.emplace_back(sqlite3_column_name(statement.handle(), i));
+    names.emplace_back(sqlite3_column_name(statement.handle(), i));
   }
+  take_columns(names);
+  Row row;
   while (statement.step()) {
-    std::vector<json> row;
+    row.clear();
     row.reserve(static_cast<std::size_t>(columns));
     for (int i = 0; i < columns; ++i) {
       row.push_back(value_of(statement, i));
     }
-    result.rows.push_back(std::move(row));
+    take_row(row);
   }
-  return result;
 }
 
 const std::vector<CannedQuery>& canned_queries() {

@@ -1,6 +1,7 @@
 // Questions to the database, asked through a connection that cannot write.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,15 +9,22 @@
 
 namespace colloid {
 
+using Row = std::vector<nlohmann::json>;  ///< null, number or text
+
 struct QueryResult {
   std::vector<std::string> columns;
-  std::vector<std::vector<nlohmann::json>> rows;  ///< null, number or text
+  std::vector<Row> rows;
 };
 
 /// One statement that reads.  `:campaign` in it stands for `campaign`.  InputError if it
 /// is no such statement, StorageError if there is no such database.
 QueryResult ask(const std::string& database, const std::string& sql,
                 const std::string& campaign);
+
+/// The same, row by row: an answer may be larger than memory.
+void ask(const std::string& database, const std::string& sql, const std::string& campaign,
+         const std::function<void(const std::vector<std::string>&)>& take_columns,
+         const std::function<void(Row&)>& take_row);
 
 /// A question with a name.
 struct CannedQuery {

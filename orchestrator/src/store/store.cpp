@@ -64,7 +64,7 @@ Store::Store(const std::string& path, const Plan& plan, const std::string& folde
   refuse_network_file_system(path);
   database_.execute(
       "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
-      "PRAGMA foreign_keys = ON");
+      "PRAGMA foreign_keys = ON; PRAGMA wal_autocheckpoint = 4000");
   prepare_schema(database_);
   Transaction transaction(database_);
   put_campaign(plan, folder);
@@ -226,55 +226,75 @@ std::vector<Item> Store::with_running_attempts() {
   return out;
 }
 
+template <class Write>
+void Store::change(Write write) {
+  if (!transaction_) {
+    require_still_there();
+    transaction_.emplace(database_);
+  }
+  try {
+    write();
+  } catch (...) {
+    transaction_.reset();
+    throw;
+  }
+  if (!in_batch_) {
+    commit();
+  }
+}
+
+void Store::commit() {
+  if (transaction_) {
+    transaction_->commit();
+    transaction_.reset();
+  }
+}
+
 void Store::begin_attempt(const Item& item, const AttemptRecord& attempt) {
-  require_still_there();
-  Transaction transaction(database_);
-  put_attempt(item, attempt, std::nullopt);
-  write_status(item, Status::active);
-  transaction.commit();
+  change([&] {
+    put_attempt(item, attempt, std::nullopt);
+    write_status(item, Status::active);
+  });
 }
 
 void Store::end_attempt(const Item& item, const AttemptRecord& attempt, Status status,
                         const std::vector<Incident>& incidents) {
-  require_still_there();
-  Transaction transaction(database_);
-  put_attempt(item, attempt, std::nullopt);
-  put_incidents(item, attempt.number, incidents);
-  write_status(item, status);
-  transaction.commit();
+  change([&] {
+    put_attempt(item, attempt, std::nullopt);
+    put_incidents(item, attempt.number, incidents);
+    write_status(item, status);
+  });
 }
 
 void Store::ingest(const Item& item, const AttemptRecord& attempt,
                    const ResultRecord& result) {
-  require_still_there();
-  Transaction transaction(database_);
-  put_attempt(item, attempt, program_of(result.program));
-  put_outcome(item, attempt, result);
-  put_retained(row(item).id, result);
-  put_series(row(item).id, result);
-  transaction.commit();
+  change([&] {
+    put_attempt(item, attempt, program_of(result.program));
+    put_outcome(item, attempt, result);
+    put_retained(row(item).id, result);
+    put_series(row(item).id, result);
+  });
   row(item).status = Status::ingested;
   curve_is_old_[item.ensemble] = true;
 }
 
 void Store::compare(const Item& item, const AttemptRecord& attempt,
                     const ResultRecord& result) {
-  require_still_there();
-  Transaction transaction(database_);
-  Statement& find = prepared("SELECT digest, attempt FROM realisation WHERE id = ?");
-  find.bind(1, row(item).id).step();
-  const bool same = find.text(0) == result.digest;
-  const std::int64_t first = find.integer(1);
-  find.reset();
-  put_attempt(item, attempt, program_of(result.program));
-  put_incidents(
-      item, attempt.number,
-      {same ? Incident{"duplicate", fmt::format("the same as attempt {}", first)}
-            : Incident{"contradiction",
-                       fmt::format("differs from attempt {}, which was ingested: the "
-                                   "solver did not repeat itself",
-                                   first)}});
-  transaction.commit();
+  change([&] {
+    Statement& find = prepared("SELECT digest, attempt FROM realisation WHERE id = ?");
+    find.bind(1, row(item).id).step();
+    const bool same = find.text(0) == result.digest;
+    const std::int64_t first = find.integer(1);
+    find.reset();
+    put_attempt(item, attempt, program_of(result.program));
+    put_incidents(
+        item, attempt.number,
+        {same ? Incident{"duplicate", fmt::format("the same as attempt {}", first)}
+              : Incident{"contradiction",
+                         fmt::format("differs from attempt {}, which was ingested: the "
+                                     "solver did not repeat itself",
+                                     first)}});
+  });
 }
 
 std::array<long, 5> Store::count() const {
@@ -301,28 +321,26 @@ long Store::contradictions() {
 }
 
 void Store::set_status(const Item& item, Status status) {
-  Transaction transaction(database_);
-  write_status(item, status);
-  transaction.commit();
+  change([&] { write_status(item, status); });
 }
 
 void Store::forgive(const Item& item, int attempts) {
-  Transaction transaction(database_);
-  prepared("UPDATE realisation SET forgiven = ? WHERE id = ?")
-      .bind(1, attempts)
-      .bind(2, row(item).id)
-      .run();
-  write_status(item, Status::eligible);
-  transaction.commit();
+  change([&] {
+    prepared("UPDATE realisation SET forgiven = ? WHERE id = ?")
+        .bind(1, attempts)
+        .bind(2, row(item).id)
+        .run();
+    write_status(item, Status::eligible);
+  });
 }
 
 void Store::refresh_curves() {
   for (std::size_t e = 0; e < ensembles_.size(); ++e) {
     if (curve_is_old_[e]) {
-      Transaction transaction(database_);
-      write_curve(database_, ensembles_[e]);
-      write_layer_counts(database_, ensembles_[e]);
-      transaction.commit();
+      change([&] {
+        write_curve(database_, ensembles_[e]);
+        write_layer_counts(database_, ensembles_[e]);
+      });
       curve_is_old_[e] = false;
     }
   }

@@ -1,10 +1,11 @@
 // The writer's side of the results database: one campaign's rows.
 //
-// One process writes (it holds the campaign's lock); each realisation is one transaction,
-// idempotent on (campaign, hash of the design point, tier, index).  The journal is a
-// write-ahead log: readers never wait for the writer nor the writer for readers.  It is
-// not synchronised at every commit: after a power cut the last commits may be missing,
-// and are made again from the run folders, which are.
+// One process writes (it holds the campaign's lock); each realisation is in one
+// transaction, alone or with others that ended at the same time (Batch), idempotent on
+// (campaign, hash of the design point, tier, index).  The journal is a write-ahead log:
+// readers never wait for the writer nor the writer for readers.  It is not synchronised
+// at every commit: after a power cut the last commits may be missing, and are made again
+// from the run folders, which are.  So is a batch that a kill cut off.
 #pragma once
 
 #include <array>
@@ -65,14 +66,21 @@ class Store {
   void refresh_curves();
 
   Database& database() { return database_; }
-  /// StorageError if the file has been deleted or replaced: rows would go nowhere.
-  void require_still_there() const;
 
  private:
+  friend class Batch;
+
   struct Row {
     std::int64_t id = 0;
     Status status = Status::eligible;
   };
+
+  /// Does `write` within the open batch, or in a transaction of its own.
+  template <class Write>
+  void change(Write write);
+  void commit();
+  /// StorageError if the file has been deleted or replaced: rows would go nowhere.
+  void require_still_there() const;
 
   void put_campaign(const Plan& plan, const std::string& folder);
   void refuse_other_folder(const std::string& campaign, const std::string& folder);
@@ -106,9 +114,31 @@ class Store {
   std::unordered_map<std::string, std::int64_t> programs_;
   std::unordered_map<std::string, Statement> statements_;
   std::uint64_t inode_ = 0;
+  bool in_batch_ = false;
+  std::optional<Transaction> transaction_;
 
   /// The statement, prepared once.
   Statement& prepared(const char* sql);
+};
+
+/// The changes between construction and commit() in one transaction, which costs hardly
+/// more than that of one change; without commit() none of them.  After an exception the
+/// store is of no use any more: what it remembers is not what is in the file.
+///
+/// To be committed before waiting for anything: other campaigns write to the same file.
+class Batch {
+ public:
+  explicit Batch(Store& store) : store_(store) { store_.in_batch_ = true; }
+  Batch(const Batch&) = delete;
+  Batch& operator=(const Batch&) = delete;
+  ~Batch() {
+    store_.transaction_.reset();
+    store_.in_batch_ = false;
+  }
+  void commit() { store_.commit(); }
+
+ private:
+  Store& store_;
 };
 
 }  // namespace colloid

@@ -70,6 +70,12 @@ Json measurement_json(const Measurement& m) {
     out["faces"][kFaceNames[f]] = {{"force_N", vector_json(m.forces.faces[f])}};
   }
   out["bodies"] = Json::array();
+  for (const BodyMeasurement& body : m.bodies) {
+    Json entry = wrench_json(body.wrench);
+    entry["velocity_m_s"] = vector_json(body.velocity);
+    entry["angular_velocity_rad_s"] = vector_json(body.spin);
+    out["bodies"].push_back(entry);
+  }
   out["regime"] = regime_json(m.regime);
   if (!m.profile.empty()) {
     for (const ProfilePoint& p : m.profile) {
@@ -94,6 +100,13 @@ std::string summary(const Measurement& m) {
       m.statistics.relative_residual, m.statistics.work_units, m.statistics.seconds,
       m.pressure_drop, m.flow_rate, m.superficial_velocity.x, m.superficial_velocity.y,
       m.superficial_velocity.z, m.permeability, m.critical.value, m.critical.error);
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    const BodyMeasurement& body = m.bodies[b];
+    out += fmt::format(
+        "body {:<15} ({:.4g}, {:.4g}, {:.4g}) m/s, ({:.4g}, {:.4g}, {:.4g}) rad/s\n", b,
+        body.velocity.x, body.velocity.y, body.velocity.z, body.spin.x, body.spin.y,
+        body.spin.z);
+  }
   if (m.statistics.subgrid_openings > 0) {
     out += fmt::format("sub-grid throats     {} faces opened by their conductance\n",
                        m.statistics.subgrid_openings);
@@ -143,7 +156,6 @@ class Measure : public Command {
 
   int run() const override {
     const SceneFile file = read_scene(scene_);
-    refuse_bodies(file);
     MeasureOptions options;
     options.grid = choice_;
     if (!cells_.empty()) {

@@ -6,6 +6,8 @@
 
 #include <functional>
 
+#include <Eigen/Core>
+
 #include "flow/level.h"
 
 namespace colloid {
@@ -15,6 +17,37 @@ struct KrylovOptions {
   int max_iterations = 200;
   int restart = 20;  ///< basis vectors kept; each costs 32 bytes a cell
   int threads = 1;
+};
+
+/// A few unknowns q and equations besides those of the flow:
+///
+///     [ M  -G ] [x]   [f]
+///     [ B   C ] [q] = [g],      with B and C scaled so that about C - B M^-1 (-G) = I.
+class KrylovBorder {
+ public:
+  KrylovBorder() = default;
+  KrylovBorder(const KrylovBorder&) = delete;
+  KrylovBorder& operator=(const KrylovBorder&) = delete;
+  virtual ~KrylovBorder() = default;
+
+  virtual std::size_t size() const = 0;
+  /// w += G q on the plane k.
+  virtual void add_columns(const Eigen::VectorXd& q, StokesVector<double>& w,
+                           int k) const = 0;
+  virtual void add_columns(const Eigen::VectorXd& q, StokesVector<float>& w,
+                           int k) const = 0;
+  /// B x + C q; halos of x are filled.
+  virtual Eigen::VectorXd rows(const StokesVector<double>& x,
+                               const Eigen::VectorXd& q) const = 0;
+  virtual Eigen::VectorXd rows(const StokesVector<float>& x,
+                               const Eigen::VectorXd& q) const = 0;
+};
+
+/// The border's right-hand side and unknowns.
+struct BorderedPart {
+  const KrylovBorder& border;
+  Eigen::VectorXd g;
+  Eigen::VectorXd q;
 };
 
 struct KrylovStatistics {
@@ -37,16 +70,32 @@ class Fgmres {
   /// Improves x, a solution of M x = b, until |b - M x| <= target.
   KrylovStatistics solve(const StokesVector<double>& b, StokesVector<double>& x,
                          const Preconditioner& precondition,
+                         const KrylovOptions& options) {
+    return solve(b, x, nullptr, precondition, options);
+  }
+  /// The same with a border; q of `part` is improved with x.  The residual's norm is that
+  /// of both parts.
+  KrylovStatistics solve(const StokesVector<double>& b, StokesVector<double>& x,
+                         BorderedPart* part, const Preconditioner& precondition,
                          const KrylovOptions& options);
 
  private:
   std::vector<double> extend(std::size_t j, double length, bool light,
+                             const KrylovBorder* border,
                              const Preconditioner& precondition, int threads);
+  void precondition_bordered(std::size_t j, bool light, const KrylovBorder* border,
+                             const Preconditioner& precondition);
+  double residual_norm(const StokesVector<double>& b, StokesVector<double>& x,
+                       const BorderedPart* part, int threads, double& seconds);
 
   const WallRows& rows_;
   StokesVector<double> w_;
+  StokesVector<float> right_side_;  ///< of the flow's part of a preconditioned vector
   std::vector<StokesVector<float>> basis_;
   std::vector<StokesVector<float>> directions_;
+  Eigen::VectorXd w_border_;  ///< the border's part of w_, basis_ and directions_
+  std::vector<Eigen::VectorXd> basis_border_;
+  std::vector<Eigen::VectorXd> directions_border_;
 };
 
 /// r = b - M x; halos of x are filled.

@@ -23,6 +23,19 @@ void lay_out(Grid& grid) {
 
 }  // namespace
 
+std::array<int, 3> Grid::place(std::size_t entry) const {
+  const auto split = [&](std::size_t at) {
+    const auto q = static_cast<std::ptrdiff_t>(at);
+    const std::ptrdiff_t k = q / stride_z;
+    const std::ptrdiff_t j = (q - k * stride_z) / stride_y;
+    return std::array<std::ptrdiff_t, 3>{q - k * stride_z - j * stride_y, j, k};
+  };
+  const auto here = split(entry);
+  const auto zero = split(origin);
+  return {static_cast<int>(here[0] - zero[0]), static_cast<int>(here[1] - zero[1]),
+          static_cast<int>(here[2] - zero[2])};
+}
+
 Vec3 Grid::location(int component, int i, int j, int k) const {
   const std::array<int, 3> at{i, j, k};
   Vec3 x;

@@ -51,6 +51,24 @@ struct Grid {
   std::ptrdiff_t stride(int axis) const {
     return axis == 0 ? 1 : (axis == 1 ? stride_y : stride_z);
   }
+  /// The indices of an entry, halos included: index(place) backwards.
+  std::array<int, 3> place(std::size_t entry) const;
+  /// The same place within one period.
+  std::array<int, 3> wrapped(std::array<int, 3> at) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      at[a] = periodic[a] ? (at[a] + cells[a]) % cells[a] : at[a];
+    }
+    return at;
+  }
+  /// Is there an unknown of `component` at these indices?
+  bool contains(int component, const std::array<int, 3>& at) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (at[a] < 0 || at[a] >= end(component, static_cast<int>(a))) {
+        return false;
+      }
+    }
+    return true;
+  }
   std::size_t cell_count() const {
     return static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]) *
            static_cast<std::size_t>(cells[2]);

@@ -81,6 +81,14 @@ void Multigrid::add(const std::vector<Sphere>& spheres) {
   }
 }
 
+void Multigrid::set_moving(const std::vector<Sphere>& spheres) {
+  for (Level& level : levels_) {
+    if (level.rows) {
+      level.rows->set_moving(spheres);
+    }
+  }
+}
+
 void Multigrid::residual(Level& level, StokesVector<float>& u,
                          const StokesVector<float>& f) {
   fill_halos(level.walls->grid(), u);

@@ -60,6 +60,8 @@ class Multigrid {
 
   /// A sphere was added to the finest level: do the same to the others.
   void add(const std::vector<Sphere>& spheres);
+  /// The same for spheres that move: WallRows::set_moving.
+  void set_moving(const std::vector<Sphere>& spheres);
 
   /// One smoothing sweep on the finest level of u for the right-hand side f.
   void smooth(StokesVector<float>& u, const StokesVector<float>& f, bool from_zero,

@@ -346,7 +346,7 @@ double StokesSolver::pressure_norm(StokesVector<double>& x) const {
 // that clogs, whose pressure grows (Arioli, Duff & Ruiz 1992).  The pressure is that of
 // the solution at the start.
 void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<double>& x,
-                                double drive_norm, double tolerance) {
+                                BorderedPart* part, double drive_norm, double tolerance) {
   KrylovOptions krylov;
   krylov.max_iterations = options_.max_iterations;
   krylov.threads = options_.threads;
@@ -359,7 +359,7 @@ void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<doub
     krylov.target = tolerance * scale;
     const double start = wall_seconds();
     const double cpu_start = processor_seconds();
-    const KrylovStatistics found = krylov_->solve(b, x, precondition, krylov);
+    const KrylovStatistics found = krylov_->solve(b, x, part, precondition, krylov);
     // By processor time: other programs on the machine hardly change the ratio.
     statistics_.work_units += (processor_seconds() - cpu_start) / found.residual_seconds;
     statistics_.seconds += wall_seconds() - start;
@@ -381,20 +381,186 @@ void StokesSolver::solve_system(const StokesVector<double>& b, StokesVector<doub
       std::max(statistics_.relative_residual, relative * options_.tolerance / tolerance);
 }
 
-const StokesStatistics& StokesSolver::solve() {
+void StokesSolver::start_statistics() {
   const double setup = statistics_.setup_seconds;
   const int openings = statistics_.subgrid_openings;
   statistics_ = StokesStatistics{};
   statistics_.setup_seconds = setup;
   statistics_.subgrid_openings = openings;
   statistics_.converged = true;
+}
+
+const StokesStatistics& StokesSolver::solve() {
+  start_statistics();
   if (problem_.drive.kind == Kind::mean_velocity) {
     solve_mean_velocity();
     return statistics_;
   }
-  solve_system(drive_, x_, drive_norm_, options_.tolerance);
+  solve_system(drive_, x_, nullptr, drive_norm_, options_.tolerance);
   superpose_flow();
   return statistics_;
+}
+
+namespace {
+
+// Weight of the bodies' equations, as velocities, beside one row of the flow's.
+constexpr double kBorderWeight = 1.0;
+
+// The balances of the bodies as a border: q in units that make its own matrix about one.
+class BodyBorder : public KrylovBorder {
+ public:
+  BodyBorder(const BodyRows& rows, const Eigen::MatrixXd& motions,
+             const Eigen::MatrixXd& resistance, const Eigen::MatrixXd& guess,
+             double weight)
+      : rows_(rows),
+        motions_(motions / weight),
+        projection_(Eigen::MatrixXd::Zero(motions.cols(), motions.rows())) {
+    if (motions.cols() > 0) {
+      projection_ =
+          weight *
+          (motions.transpose() * guess * motions).ldlt().solve(motions.transpose());
+    }
+    own_ = projection_ * (resistance - rows.self()) * motions_;
+  }
+
+  std::size_t size() const override { return static_cast<std::size_t>(motions_.cols()); }
+  void add_columns(const Eigen::VectorXd& q, StokesVector<double>& w,
+                   int k) const override {
+    rows_.add_columns(motions_ * q, w, k);
+  }
+  void add_columns(const Eigen::VectorXd& q, StokesVector<float>& w,
+                   int k) const override {
+    rows_.add_columns(motions_ * q, w, k);
+  }
+  Eigen::VectorXd rows(const StokesVector<double>& x,
+                       const Eigen::VectorXd& q) const override {
+    return own_ * q - projection_ * rows_.apply_rows(x);
+  }
+  Eigen::VectorXd rows(const StokesVector<float>& x,
+                       const Eigen::VectorXd& q) const override {
+    return own_ * q - projection_ * rows_.apply_rows(x);
+  }
+  Eigen::VectorXd right_side(const Eigen::VectorXd& wrench) const {
+    return projection_ * wrench;
+  }
+  Eigen::VectorXd motion(const Eigen::VectorXd& q) const { return motions_ * q; }
+  /// q of the motion nearest to v.
+  Eigen::VectorXd unknowns(const Eigen::VectorXd& v) const {
+    if (motions_.cols() == 0) {
+      return Eigen::VectorXd::Zero(0);
+    }
+    return motions_.completeOrthogonalDecomposition().solve(v);
+  }
+
+ private:
+  const BodyRows& rows_;
+  Eigen::MatrixXd motions_, projection_, own_;
+};
+
+}  // namespace
+
+// Grid units: angular velocities times the length unit; forces over viscosity and length.
+Eigen::VectorXd StokesSolver::grid_motion(const Eigen::VectorXd& v) const {
+  Eigen::VectorXd out = v;
+  for (Eigen::Index n = 0; n < v.size(); ++n) {
+    out[n] *= n % 6 < 3 ? 1.0 : length_;
+  }
+  return out;
+}
+
+Eigen::VectorXd StokesSolver::grid_wrench(const Eigen::VectorXd& wrench) const {
+  Eigen::VectorXd out = wrench / (problem_.viscosity * length_);
+  for (Eigen::Index n = 0; n < out.size(); ++n) {
+    out[n] /= n % 6 < 3 ? 1.0 : length_;
+  }
+  return out;
+}
+
+Eigen::MatrixXd StokesSolver::grid_resistance(const Eigen::MatrixXd& resistance) const {
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(resistance.rows());
+  return grid_wrench(ones).asDiagonal() * resistance *
+         grid_motion(ones).cwiseInverse().asDiagonal();
+}
+
+void StokesSolver::set_bodies(const std::vector<MovingBody>& bodies) {
+  require(problem_.drive.kind != Kind::mean_velocity || bodies.empty(),
+          "/drive/mean_velocity",
+          "holds no flux past bodies that move; expected a body_force");
+  const double start = wall_seconds();
+  if (body_rows_) {
+    body_rows_->fill_bodies(grid_motion(body_motion_), x_);
+    body_rows_->fill_pressure(x_);
+  }
+  bodies_ = bodies;
+  std::vector<Sphere> spheres;
+  std::vector<BodyRows::Body> grid_bodies;
+  for (const MovingBody& body : bodies) {
+    BodyRows::Body grid_body{body.centre * (1.0 / length_), {}};
+    for (const Sphere& s : body.spheres) {
+      grid_body.spheres.push_back({s.center * (1.0 / length_), s.radius / length_});
+      spheres.push_back(grid_body.spheres.back());
+    }
+    grid_bodies.push_back(grid_body);
+  }
+  rows_->set_moving(spheres);
+  connect();
+  multigrid_->set_moving(spheres);
+  make_lift();
+  make_drive();
+  clear_entries(rows_->closed_entries(), x_);
+  if (body_rows_) {
+    body_rows_->clear(*rows_, x_);
+  }
+  body_rows_ = std::make_unique<BodyRows>(*rows_, grid_bodies);
+  body_motion_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(body_rows_->size()));
+  statistics_.setup_seconds = wall_seconds() - start;
+}
+
+const StokesStatistics& StokesSolver::solve(const BodyBalance& balance) {
+  if (bodies_.empty()) {
+    return solve();
+  }
+  start_statistics();
+  const Eigen::VectorXd given = grid_motion(balance.given);
+  const auto n = given.size();
+  const Eigen::VectorXd scale = grid_motion(Eigen::VectorXd::Ones(n));
+  const Eigen::MatrixXd motions = scale.asDiagonal() * balance.motions;
+  const Eigen::MatrixXd resistance = balance.resistance.size() == 0
+                                         ? Eigen::MatrixXd::Zero(n, n)
+                                         : grid_resistance(balance.resistance);
+  const double weight = kBorderWeight * rows_->coefficients().diagonal;
+  const BodyBorder border(*body_rows_, motions, resistance,
+                          grid_resistance(balance.guess), weight);
+  BorderedPart part{border, {}, {}};
+  const Eigen::VectorXd at_rest = body_rows_->constant(grid_force_, lift_) +
+                                  grid_wrench(balance.load) +
+                                  (body_rows_->self() - resistance) * given;
+  part.g = border.right_side(at_rest);
+  part.q = border.unknowns(grid_motion(body_motion_) - given);
+
+  StokesVector<double> right_side = drive_;
+  double square = 0.0;
+  const LevelView level = view(*rows_);
+  for (int k = 0; k < level.end[2]; ++k) {
+    body_rows_->add_columns(given, right_side, k);
+    square += dot_plane(level, right_side, right_side, k);
+  }
+  solve_system(right_side, x_, &part, std::sqrt(square + part.g.squaredNorm()),
+               options_.tolerance);
+  const Eigen::VectorXd motion = given + border.motion(part.q);
+  body_motion_ = motion.cwiseQuotient(scale);
+  superpose_flow();
+  body_rows_->fill_bodies(motion, flow_);
+  return statistics_;
+}
+
+Eigen::VectorXd StokesSolver::body_wrench() const {
+  const Eigen::VectorXd motion = grid_motion(body_motion_);
+  const Eigen::VectorXd wrench = body_rows_->apply_rows(x_) +
+                                 body_rows_->self() * motion +
+                                 body_rows_->constant(grid_force_, lift_);
+  const Eigen::VectorXd units = grid_wrench(Eigen::VectorXd::Ones(wrench.size()));
+  return wrench.cwiseQuotient(units);
 }
 
 void StokesSolver::solve_unit_force(int axis, double tolerance) {
@@ -405,7 +571,7 @@ void StokesSolver::solve_unit_force(int axis, double tolerance) {
   grid_force_ = Vec3{};
   grid_force_[axis] = 1.0;
   make_drive();
-  solve_system(drive_, x, drive_norm_, tolerance);
+  solve_system(drive_, x, nullptr, drive_norm_, tolerance);
 }
 
 // The body force that gives the mean velocity wanted: linear, so from unit responses.  An

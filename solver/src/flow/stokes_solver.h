@@ -8,7 +8,9 @@
 #include <memory>
 #include <vector>
 
+#include "flow/body_rows.h"
 #include "flow/fgmres.h"
+#include "flow/moving_bodies.h"
 #include "flow/multigrid.h"
 #include "flow/stokes_problem.h"
 
@@ -24,6 +26,16 @@ class StokesSolver {
 
   /// The deposit grew.  The next solve() starts from the flow before.
   void add_spheres(const std::vector<Sphere>& spheres);
+
+  /// Bodies that move, in place of those of the last call.  The flow is carried along.
+  void set_bodies(const std::vector<MovingBody>& bodies);
+  /// Solves for the flow and the motion of the bodies together, from the last solution.
+  const StokesStatistics& solve(const BodyBalance& balance);
+  /// V of the bodies, SI.  To be set where a better start than the last V is known.
+  const Eigen::VectorXd& body_motion() const { return body_motion_; }
+  void set_body_motion(const Eigen::VectorXd& v) { body_motion_ = v; }
+  /// H(V): what the fluid does to the bodies, SI.
+  Eigen::VectorXd body_wrench() const;
 
   /// All that the next solve() depends on besides the spheres and the batches in which
   /// they were added.
@@ -65,7 +77,11 @@ class StokesSolver {
   void solve_unit_force(int axis, double tolerance);
   void solve_mean_velocity();
   void solve_system(const StokesVector<double>& b, StokesVector<double>& x,
-                    double drive_norm, double tolerance);
+                    BorderedPart* part, double drive_norm, double tolerance);
+  Eigen::VectorXd grid_motion(const Eigen::VectorXd& v) const;
+  Eigen::VectorXd grid_wrench(const Eigen::VectorXd& wrench) const;
+  Eigen::MatrixXd grid_resistance(const Eigen::MatrixXd& resistance) const;
+  void start_statistics();
   Vec3 mean_velocity(const StokesVector<double>& x) const;
   double face_pressure(int face) const;
   double mean_pressure_near(int face, double margin) const;
@@ -91,6 +107,9 @@ class StokesSolver {
   std::array<StokesVector<double>, 3>
       unit_;  ///< responses to unit forces (mean_velocity)
   Vec3 grid_force_;
+  std::vector<MovingBody> bodies_;
+  std::unique_ptr<BodyRows> body_rows_;
+  Eigen::VectorXd body_motion_;
   StokesStatistics statistics_;
 };
 

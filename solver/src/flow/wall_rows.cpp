@@ -126,6 +126,7 @@ WallRows::IndexBox WallRows::reach_of(const Image& image, int component) const {
 void WallRows::collect(std::int32_t index, int component) {
   const Image& image = images_[static_cast<std::size_t>(index)];
   const IndexBox box = reach_of(image, component);
+  const bool moving = image.sphere >= fixed_count_;
   auto& head = head_[static_cast<std::size_t>(component)];
   const double outer = (image.radius + reach_) * (image.radius + reach_);
   const double depth = std::max(0.0, image.radius - 0.8 * reach_);
@@ -139,10 +140,16 @@ void WallRows::collect(std::int32_t index, int component) {
         }
         const Vec3 e = grid_.location(component, i, j, k) - image.center;
         const double square = dot(e, e);
+        if (square >= outer) {
+          continue;
+        }
+        if (moving) {
+          changes_.push_back({component, q, head[q]});
+        }
         if (square < inner) {
           head[q] = kSolid - index;
           stale_[q] = 1;
-        } else if (square < outer) {
+        } else {
           candidates_.push_back({index, head[q]});
           head[q] = static_cast<std::int32_t>(candidates_.size() - 1);
           stale_[q] = 1;
@@ -185,34 +192,97 @@ void WallRows::add_images(const Sphere& sphere) {
 }
 
 void WallRows::add(const std::vector<Sphere>& spheres) {
+  assert(fixed_count_ == sphere_count_);
   closed_.clear();
   const std::size_t first = images_.size();
   for (const Sphere& sphere : spheres) {
     add_images(sphere);
   }
-  if (first == images_.size()) {
-    return;
-  }
+  fixed_count_ = sphere_count_;
   stale_.assign(grid_.size, 0);
+  add_from(first);
+  fixed_images_ = images_.size();
+  fixed_candidates_ = candidates_.size();
+}
+
+void WallRows::set_moving(const std::vector<Sphere>& spheres) {
+  closed_.clear();
+  stale_.assign(grid_.size, 0);
+  close_subgrid();
+  forget_moving();
+  for (const Sphere& sphere : spheres) {
+    add_images(sphere);
+  }
+  add_from(fixed_images_);
+}
+
+// Takes moving spheres out of the lists; their rows are stale then.
+void WallRows::forget_moving() {
+  for (auto& boxes : moved_boxes_) {
+    boxes.clear();
+  }
+  for (std::size_t m = fixed_images_; m < images_.size(); ++m) {
+    for (int c = 0; c < 4; ++c) {
+      moved_boxes_[static_cast<std::size_t>(c)].push_back(reach_of(images_[m], c));
+    }
+  }
+  while (!changes_.empty()) {
+    const HeadChange& change = changes_.back();
+    head_[static_cast<std::size_t>(change.component)][change.at] = change.before;
+    changes_.pop_back();
+  }
+  candidates_.resize(fixed_candidates_);
+  images_.resize(fixed_images_);
+  sphere_count_ = fixed_count_;
+}
+
+std::vector<WallRows::IndexBox> WallRows::moving_boxes(int component) const {
+  std::vector<IndexBox> boxes;
+  for (std::size_t m = fixed_images_; m < images_.size(); ++m) {
+    boxes.push_back(reach_of(images_[m], component));
+  }
+  return boxes;
+}
+
+// Makes the rows near the images from `first` on, and near spheres just forgotten.
+void WallRows::add_from(std::size_t first) {
   for (int c = 0; c < 3; ++c) {
-    IndexBox all = reach_of(images_[first], c);
+    const auto s = static_cast<std::size_t>(c);
+    std::vector<IndexBox> boxes = moved_boxes_[s];
+    for (const IndexBox& box : boxes) {
+      mark_stale(box);
+    }
     for (std::size_t m = first; m < images_.size(); ++m) {
       collect(static_cast<std::int32_t>(m), c);
-      const IndexBox box = reach_of(images_[m], c);
-      for (std::size_t a = 0; a < 3; ++a) {
-        all.begin[a] = std::min(all.begin[a], box.begin[a]);
-        all.end[a] = std::max(all.end[a], box.end[a]);
-      }
+      boxes.push_back(reach_of(images_[m], c));
     }
-    make_stale_rows(all, c);
+    for (const IndexBox& box : boxes) {
+      make_stale_rows(box, c);
+    }
     wrap(c);
   }
+  std::vector<IndexBox> boxes = moved_boxes_[pressure];
   for (std::size_t m = first; m < images_.size(); ++m) {
-    IndexBox box = reach_of(images_[m], pressure);
-    for (std::size_t a = 0; a < 3; ++a) {
-      box.begin[a] = std::max(0, box.begin[a] - 1);
+    boxes.push_back(reach_of(images_[m], pressure));
+  }
+  for (IndexBox& box : boxes) {
+    for (int& begin : box.begin) {
+      begin = std::max(0, begin - 1);
     }
     make_cells(box);
+  }
+  for (auto& moved : moved_boxes_) {
+    moved.clear();
+  }
+}
+
+void WallRows::mark_stale(const IndexBox& box) {
+  for (int k = box.begin[2]; k < box.end[2]; ++k) {
+    for (int j = box.begin[1]; j < box.end[1]; ++j) {
+      const std::size_t q = grid_.index(box.begin[0], j, k);
+      const int count = box.end[0] - box.begin[0];
+      std::fill_n(stale_.begin() + static_cast<std::ptrdiff_t>(q), std::max(0, count), 1);
+    }
   }
 }
 
@@ -356,32 +426,29 @@ bool WallRows::away(int component, const std::array<int, 3>& at) const {
          kNone;
 }
 
-// One row from beginning to end, in numbered steps.
-// NOLINTNEXTLINE(readability-function-size)
-void WallRows::make_row(int component, const std::array<int, 3>& at) {
-  const std::size_t q = grid_.index(at[0], at[1], at[2]);
+// Both sides of a row along each axis: weight of the unknown, distance to the neighbour
+// or the wall, and the surface whose velocity counts there.
+struct WallRows::RowSides {
+  std::array<std::array<double, 2>, 3> pull{};
+  std::array<std::array<const Row*, 2>, 3> surface{};
+  std::array<double, 3> prefactor{};
+  double diagonal = 0.0;
+};
+
+WallRows::RowSides WallRows::row_sides(int component, const std::array<int, 3>& at,
+                                       const NearSurfaces& surfaces) const {
   const int t1 = (component + 1) % 3;
   const int t2 = (component + 2) % 3;
   const double w1 = width(t1, at);
   const double w2 = width(t2, at);
-
-  NearSurfaces& surfaces = *scratch_;
-  find_near_surfaces(component, at, surfaces);
   const std::vector<Row>& near = surfaces.all;
   const Row& wall = near[surfaces.first];
-  const double open = surfaces.open;
-  if (open < kClosed * spacing_) {
-    close(component, q);
-    return;
-  }
-
-  // 3  the second difference along each axis
-  std::array<double, 3> factor{};
-  double diagonal = 0.0;
+  RowSides sides;
   for (int a = 0; a < 3; ++a) {
-    const SecondDifference& d = difference(component, a, at[static_cast<std::size_t>(a)]);
-    std::array<double, 2> pull{};      // weight of the unknown, per side
-    std::array<double, 2> distance{};  // to the neighbour or the wall
+    const auto s = static_cast<std::size_t>(a);
+    const SecondDifference& d = difference(component, a, at[s]);
+    auto& pull = sides.pull[s];
+    std::array<double, 2> distance{};
     for (std::size_t side = 0; side < 2; ++side) {
       const double sign = side == 0 ? -1.0 : 1.0;
       const double step = side == 0 ? d.below : d.above;
@@ -398,31 +465,111 @@ void WallRows::make_row(int component, const std::array<int, 3>& at) {
       const double moment =
           wall_moment(there, wall.normal[t1] * w1, wall.normal[t2] * w2);
       pull[side] = (moment / step - slope) / wall.moment;
+      sides.surface[s][side] = &wall;
       if (there < 0.0) {
         distance[side] = step * std::min(1.0, wall.moment / (wall.moment - there));
       }
-      for (const Row& s : near) {
-        Vec3 there_from_center = s.from_center;
+      for (const Row& other : near) {
+        Vec3 there_from_center = other.from_center;
         there_from_center[a] += sign * step;
-        if (&s == &wall || norm(there_from_center) >= s.image->radius) {
+        if (&other == &wall || norm(there_from_center) >= other.image->radius) {
           continue;
         }
-        const double cut =
-            std::max(kShortestLink * step,
-                     distance_along(s.from_center, a, sign, s.image->radius, step));
-        pull[side] = std::max(pull[side], 1.0 / cut);
+        const double cut = std::max(
+            kShortestLink * step,
+            distance_along(other.from_center, a, sign, other.image->radius, step));
+        if (1.0 / cut > pull[side]) {
+          pull[side] = 1.0 / cut;
+          sides.surface[s][side] = &other;
+        }
         distance[side] = std::min(distance[side], cut);
       }
     }
     const bool free = d.side_below == Side::no_shear || d.side_above == Side::no_shear;
-    const double prefactor = free ? d.prefactor : 2.0 / (distance[0] + distance[1]);
+    sides.prefactor[s] = free ? d.prefactor : 2.0 / (distance[0] + distance[1]);
     if (free) {
       pull = {std::max(0.0, pull[0]), std::max(0.0, pull[1])};
     }
-    factor[static_cast<std::size_t>(a)] = prefactor / d.prefactor;
-    diagonal += prefactor * (pull[0] + pull[1]);
+    sides.diagonal += sides.prefactor[s] * (pull[0] + pull[1]);
   }
-  store(component, q, factor, diagonal);
+  return sides;
+}
+
+void WallRows::make_row(int component, const std::array<int, 3>& at) {
+  const std::size_t q = grid_.index(at[0], at[1], at[2]);
+  NearSurfaces& surfaces = *scratch_;
+  find_near_surfaces(component, at, surfaces);
+  if (surfaces.open < kClosed * spacing_) {
+    close(component, q);
+    return;
+  }
+  const RowSides sides = row_sides(component, at, surfaces);
+  std::array<double, 3> factor{};
+  for (int a = 0; a < 3; ++a) {
+    const auto s = static_cast<std::size_t>(a);
+    factor[s] = sides.prefactor[s] / difference(component, a, at[s]).prefactor;
+  }
+  store(component, q, factor, sides.diagonal);
+}
+
+// The row acts on the velocity relative to the surface that counts on each side.  A
+// neighbour that is closed has the velocity of its own surface.
+void WallRows::surface_terms(int component, const std::array<int, 3>& at,
+                             std::vector<SurfaceTerm>& terms) const {
+  terms.clear();
+  const auto c = static_cast<std::size_t>(component);
+  const std::size_t q = grid_.index(at[0], at[1], at[2]);
+  if (head_[c][q] < 0 || coefficients_.row_scale[c][q] <= 0.0F) {
+    return;
+  }
+  NearSurfaces& surfaces = *scratch_;
+  find_near_surfaces(component, at, surfaces);
+  if (surfaces.open < kClosed * spacing_) {
+    return;  // opened below the grid
+  }
+  const RowSides sides = row_sides(component, at, surfaces);
+  const double least = kLeastDiagonal * coefficients_.diagonal;
+  const double scale = coefficients_.diagonal / std::max(sides.diagonal, least);
+  const auto add = [&](int sphere, double weight, const Vec3& from_center) {
+    terms.push_back({sphere, scale * weight, from_center});
+  };
+  if (sides.diagonal < least) {
+    const Row& wall = surfaces.all[surfaces.first];
+    add(wall.image->sphere, least - sides.diagonal, wall.from_center);
+  }
+  for (int a = 0; a < 3; ++a) {
+    const auto s = static_cast<std::size_t>(a);
+    const SecondDifference& d = difference(component, a, at[s]);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Row* surface = sides.surface[s][side];
+      if (surface == nullptr) {
+        continue;
+      }
+      const int sign = side == 0 ? -1 : 1;
+      const double step = side == 0 ? d.below : d.above;
+      Vec3 there = surface->from_center;
+      there[a] += sign * step;
+      const double weight = sides.prefactor[s] / step;
+      add(surface->image->sphere, sides.prefactor[s] * sides.pull[s][side],
+          surface->from_center);
+      add(surface->image->sphere, -weight, there);
+      const auto neighbour = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(q) +
+                                                      sign * grid_.stride(a));
+      if (coefficients_.row_scale[c][neighbour] > 0.0F) {
+        continue;
+      }
+      std::array<int, 3> next = at;
+      next[s] += sign;
+      next = grid_.wrapped(next);
+      if (on_given_face(component, next)) {
+        continue;
+      }
+      const NearestSurface owner = nearest(component, next[0], next[1], next[2]);
+      if (owner.sphere >= 0) {
+        add(owner.sphere, weight, owner.from_center);
+      }
+    }
+  }
 }
 
 void WallRows::open_subgrid(int component, std::size_t face, double conductance) {
@@ -430,6 +577,18 @@ void WallRows::open_subgrid(int component, std::size_t face, double conductance)
   close(component, face);
   coefficients_.row_scale[c][face] =
       static_cast<float>(coefficients_.diagonal * conductance);
+  opened_.push_back({c, face});
+}
+
+// Throats below the grid belong to one arrangement of the spheres.
+void WallRows::close_subgrid() {
+  for (const Entry& face : opened_) {
+    close(static_cast<int>(face.component), face.at);
+  }
+  if (!opened_.empty()) {
+    opened_.clear();
+    update_cells();
+  }
 }
 
 void WallRows::update_cells() {

@@ -64,6 +64,29 @@ class WallRows {
   /// As add(), many at once: rows that two spheres share are made once.
   void add(const std::vector<Sphere>& spheres);
 
+  /// Spheres that move, in place of those of the last call; they count after all others.
+  /// The rows are the same to the bit as if they had been added.  add() needs them gone.
+  void set_moving(const std::vector<Sphere>& spheres);
+
+  /// Where rows and faces of one moving sphere (or an image of it) are.
+  struct IndexBox {
+    std::array<int, 3> begin{}, end{};
+  };
+  std::vector<IndexBox> moving_boxes(int component) const;
+  int fixed_count() const { return fixed_count_; }  ///< spheres that do not move
+  int sphere_count() const { return sphere_count_; }
+
+  /// What a moving surface brings into a row: its velocity at a point, times `weight`,
+  /// is added to the right-hand side of (F9).
+  struct SurfaceTerm {
+    int sphere = -1;
+    double weight = 0.0;
+    Vec3 from_center;  ///< of the point, from the sphere's (image's) centre
+  };
+  /// Those of one open row, by the spheres near it, fixed ones too.                 (F18)
+  void surface_terms(int component, const std::array<int, 3>& at,
+                     std::vector<SurfaceTerm>& terms) const;
+
   /// Opens a closed face as a sub-grid throat: mean velocity = conductance x (f - grad
   /// p).
   void open_subgrid(int component, std::size_t face, double conductance);
@@ -95,20 +118,28 @@ class WallRows {
     std::int32_t image;
     std::int32_t next;
   };
-  struct IndexBox {
-    std::array<int, 3> begin{}, end{};
+  struct HeadChange {
+    int component;
+    std::size_t at;
+    std::int32_t before;
   };
   struct Row;
   struct NearSurfaces;
+  struct RowSides;
 
   double width(int axis, const std::array<int, 3>& at) const;
   void find_near_surfaces(int component, const std::array<int, 3>& at,
                           NearSurfaces& found) const;
-
+  RowSides row_sides(int component, const std::array<int, 3>& at,
+                     const NearSurfaces& surfaces) const;
   IndexBox reach_of(const Image& image, int component) const;
   void add_images(const Sphere& sphere);
   void collect(std::int32_t image, int component);
+  void forget_moving();
+  void close_subgrid();
+  void add_from(std::size_t first_image);
   void make_rows(const IndexBox& box, int component);
+  void mark_stale(const IndexBox& box);
   void make_stale_rows(const IndexBox& box, int component);
   void make_row(int component, const std::array<int, 3>& at);
   void regular_row(int component, const std::array<int, 3>& at);
@@ -127,10 +158,16 @@ class WallRows {
   double spacing_ = 0.0;  ///< smallest regular spacing
   std::vector<Image> images_;
   int sphere_count_ = 0;
+  int fixed_count_ = 0;
+  std::size_t fixed_images_ = 0;
+  std::size_t fixed_candidates_ = 0;
+  std::vector<HeadChange> changes_;  ///< of the lists, by moving spheres, in order
+  std::array<std::vector<IndexBox>, 4> moved_boxes_;  ///< of those that were forgotten
   std::array<std::vector<std::int32_t>, 3> head_;  ///< first candidate, -1 none, -2 solid
   std::vector<Candidate> candidates_;
   std::vector<char> stale_;  ///< rows to be made again; all zero between calls
   std::vector<Entry> closed_;
+  std::vector<Entry> opened_;  ///< below the grid
   std::unique_ptr<NearSurfaces> scratch_;
 };
 

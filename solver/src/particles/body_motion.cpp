@@ -16,7 +16,7 @@ using Vector = Eigen::VectorXd;
 // Singular values of the bonds' rows below this count as zero: three contacts nearly in
 // one line still let a body turn about that line.
 constexpr double kRank = 1e-6;
-constexpr int kMostExchanges = 100;
+constexpr std::size_t kMostExchanges = 10;  // of the active set, per contact
 
 // Bodies that act on each other, and where their unknowns begin.
 struct Group {
@@ -177,14 +177,14 @@ Vector forces_at_rest(const ContactProblem& problem,
   return a.completeOrthogonalDecomposition().solve(b);
 }
 
-// The contact, not active, that is violated most; -1: none is.
-Eigen::Index worst_contact(const Vector& speed, const std::vector<Eigen::Index>& active,
+// The contact, neither active nor idle, that is violated most; -1: none is.
+Eigen::Index worst_contact(const Vector& speed, const std::vector<char>& out_of_play,
                            double scale) {
   constexpr double kRounding = 1e-10;
   Eigen::Index worst = -1;
   double least = -kRounding * scale;
   for (Eigen::Index c = 0; c < speed.size(); ++c) {
-    if (speed[c] < least && std::find(active.begin(), active.end(), c) == active.end()) {
+    if (speed[c] < least && out_of_play[static_cast<std::size_t>(c)] == 0) {
       least = speed[c];
       worst = c;
     }
@@ -192,34 +192,62 @@ Eigen::Index worst_contact(const Vector& speed, const std::vector<Eigen::Index>&
   return worst;
 }
 
-// The active set: contacts whose force presses.  Adds the most violated, removes those
-// that would pull, until neither is left.  Strictly convex, so this ends; the limit
-// guards against rounding.
+// Moves the forces of the active contacts to those that bring them to rest, as far as
+// none of them pulls; contacts that would are left out, one after the other.
+void press(const ContactProblem& problem, std::vector<Eigen::Index>& active,
+           Vector& force) {
+  while (!active.empty()) {
+    const Vector rest = forces_at_rest(problem, active);
+    double part = 1.0;
+    std::size_t first = active.size();
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      const double now = force[active[i]];
+      const double then = rest[static_cast<Eigen::Index>(i)];
+      if (then < 0.0 && now / (now - then) < part) {
+        part = now / (now - then);
+        first = i;
+      }
+    }
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      double& now = force[active[i]];
+      now += part * (rest[static_cast<Eigen::Index>(i)] - now);
+    }
+    if (first == active.size()) {
+      return;
+    }
+    force[active[first]] = 0.0;
+    active.erase(active.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+}
+
+// The contacts whose force presses: the active set of Lawson & Hanson (1974, algorithm
+// NNLS), on the forces.  Adds the most violated and leaves out those that would pull; the
+// dissipation falls at each exchange, so none comes back.
 void solve_contacts(const Eigen::LLT<Matrix>& resistance, const Vector& free,
                     const Matrix& rows, Vector& q, Vector& force) {
   ContactProblem problem{rows, free, resistance.solve(rows.transpose()), {}};
   problem.delassus = rows * problem.response;
   const double scale = std::max(free.cwiseAbs().maxCoeff(), 1e-300);
+  const auto contacts = static_cast<std::size_t>(rows.rows());
   std::vector<Eigen::Index> active;
+  std::vector<char> idle(contacts, 0);  // violated by rounding alone
   force = Vector::Zero(rows.rows());
   q = free;
-  for (int exchange = 0; exchange < kMostExchanges; ++exchange) {
-    const Eigen::Index worst = worst_contact(rows * q, active, scale);
+  for (std::size_t exchange = 0; exchange < kMostExchanges * (contacts + 1); ++exchange) {
+    std::vector<char> out_of_play = idle;
+    for (Eigen::Index c : active) {
+      out_of_play[static_cast<std::size_t>(c)] = 1;
+    }
+    const Eigen::Index worst = worst_contact(rows * q, out_of_play, scale);
     if (worst < 0) {
       return;
     }
     active.push_back(worst);
-    Vector nu = forces_at_rest(problem, active);
-    Eigen::Index lowest = 0;
-    while (!active.empty() && nu.minCoeff(&lowest) < 0.0) {
-      active.erase(active.begin() + lowest);
-      if (!active.empty()) {
-        nu = forces_at_rest(problem, active);
-      }
-    }
-    force.setZero();
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      force[active[i]] = nu[static_cast<Eigen::Index>(i)];
+    press(problem, active, force);
+    if (force[worst] > 0.0) {
+      std::fill(idle.begin(), idle.end(), 0);
+    } else {
+      idle[static_cast<std::size_t>(worst)] = 1;
     }
     q = free + problem.response * force;
   }

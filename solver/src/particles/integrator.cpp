@@ -1,6 +1,7 @@
 #include "particles/integrator.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,7 @@ constexpr double kMostGrowth = 4.0;
 constexpr double kMostShrink = 0.2;
 constexpr int kMostRejections = 60;
 constexpr int kMostLocations = 60;
+constexpr int kMostRounds = 3;  // of putting surfaces apart
 constexpr int kSamplesWithin = 8;
 
 // Bogacki & Shampine (1989), Appl. Math. Lett. 2, 321.
@@ -331,6 +333,7 @@ void Integrator::count_overlaps(const std::vector<Touch>& touches) {
 
 double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
                            const std::optional<Forcing>& forcing) {
+  assert(!forcing || forcing->step <= longest);  // or it is too weak for the step
   if (bodies.empty()) {
     return longest;
   }
@@ -381,9 +384,7 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
                      std::all_of(bodies.begin(), bodies.end(), [](const RigidBody& body) {
                        return body.bonds.empty();
                      });
-  settle(bodies);
-  const std::vector<Touch> touches =
-      find_touches(bodies, surfaces_, options_.rules, options_.radius);
+  const std::vector<Touch> touches = settle(bodies);
   count_overlaps(touches);
   if (loose && touches.empty()) {
     take_velocities(bodies);
@@ -393,15 +394,31 @@ double Integrator::advance(std::vector<RigidBody>& bodies, double longest,
   return step;
 }
 
-// Bonds and pressed contacts keep their distance to the last digit.
-void Integrator::settle(std::vector<RigidBody>& bodies) {
+// Bonds and pressed contacts keep their distance to the last digit; a surface that this
+// pushes another into is pressed then too.  Returns what touches in the end.
+std::vector<Touch> Integrator::settle(std::vector<RigidBody>& bodies) {
   std::vector<Contact> pressed;
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     if (motion_.contact_push[c] > 0.0) {
       pressed.push_back(contacts_[c]);
     }
   }
-  keep_distances(bodies, pressed, surfaces_, options_.rules, options_.radius);
+  for (int round = 0;; ++round) {
+    keep_distances(bodies, pressed, surfaces_, options_.rules, options_.radius);
+    std::vector<Touch> touches =
+        find_touches(bodies, surfaces_, options_.rules, options_.radius);
+    bool more = false;
+    for (const Touch& touch : touches) {
+      if (touch.gap < -kLeastTolerance * options_.radius &&
+          !sticks(touch, options_.rules, surfaces_.box())) {
+        pressed.push_back(touch.contact);
+        more = true;
+      }
+    }
+    if (!more || round == kMostRounds) {
+      return touches;
+    }
+  }
 }
 
 }  // namespace colloid

@@ -91,7 +91,7 @@ class Integrator {
   double travel_limit(const Motion& motion, const std::vector<RigidBody>& bodies) const;
   bool locate(const std::vector<RigidBody>& begin, double high,
               const std::optional<Forcing>& forcing, Trial& trial, double& step);
-  void settle(std::vector<RigidBody>& bodies);
+  std::vector<Touch> settle(std::vector<RigidBody>& bodies);
   void take_velocities(std::vector<RigidBody>& bodies) const;
   void count_overlaps(const std::vector<Touch>& touches);
   void refresh(std::vector<RigidBody>& bodies, const std::vector<Touch>& touches);

@@ -1,6 +1,9 @@
 // What moves colloids, as the time loop sees it.
 #pragma once
 
+#include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "particles/small_matrix.h"
@@ -32,6 +35,8 @@ struct Motion {
   std::vector<BodyWrench> bond_wrench;  ///< of all its bonds on each body
 };
 
+using NamedValues = std::vector<std::pair<std::string, double>>;
+
 class MotionModel {
  public:
   MotionModel() = default;
@@ -50,6 +55,26 @@ class MotionModel {
                                                    const std::vector<Vector6>& normals,
                                                    double temperature,
                                                    double step) const = 0;
+
+  /// The present state, before a step from it; true if velocities are no longer those of
+  /// the last motion().  Models that need nothing but the state have nothing to do.
+  virtual bool begin_step(const std::vector<RigidBody>& /*bodies*/,
+                          const std::vector<Contact>& /*contacts*/,
+                          const Motion& /*motion*/) {
+    return false;
+  }
+  /// How long a step may be that begins now [s].
+  virtual double longest_step(const std::vector<RigidBody>& /*bodies*/) const {
+    return std::numeric_limits<double>::infinity();
+  }
+  /// Colloids that have become fixed, at the state before the next step.
+  virtual void deposit_grew(const std::vector<Sphere>& /*deposit*/) {}
+  /// What the next motion() depends on besides the bodies; for checkpoints.  restore()
+  /// comes after the deposit has grown as it had.
+  virtual std::vector<double> state() const { return {}; }
+  virtual void restore(const std::vector<double>& /*state*/) {}
+  /// Adds what it cost: counts that every run repeats, and seconds, which none does.
+  virtual void record(NamedValues& /*counts*/, NamedValues& /*seconds*/) const {}
 
   /// Wrench on each body if it were held where it is: what bonds have to carry.
   virtual std::vector<BodyWrench> held_wrenches(

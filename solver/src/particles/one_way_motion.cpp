@@ -5,10 +5,14 @@
 #include <cmath>
 
 #include "core/constants.h"
+#include "particles/unresolved_gap.h"
 
 namespace colloid {
 
 namespace {
+
+// Wider gaps are resolved by the grid.
+constexpr double kResolvedCells = 5.0;
 
 Matrix6 shift_of(const Vec3& arm, double radius) {
   // Motion of the member: U + w x r, so (U, aw) -> (U - [r/a]x aw, aw).
@@ -28,6 +32,12 @@ struct Member {
   AmbientMotion ambient;
 };
 
+Vector6 normal_row(const std::vector<RigidBody>& bodies, const Member& member,
+                   const Vec3& n, double radius) {
+  return normal_row(bodies[static_cast<std::size_t>(member.body)],
+                    static_cast<std::size_t>(member.index), n, radius);
+}
+
 std::vector<Member> members_of(const std::vector<RigidBody>& bodies) {
   std::vector<Member> members;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -44,7 +54,9 @@ std::vector<Member> members_of(const std::vector<RigidBody>& bodies) {
 struct OneWayMotion::Assembly {
   std::vector<Member> members;
   std::vector<BodySystem> systems;
+  std::vector<Vector6> loads;  ///< of weight and surface forces, part of the drives
   std::vector<PairTerm> pairs;
+  std::vector<double> pair_loads;  ///< likewise, part of the pairs' drives
 };
 
 OneWayMotion::OneWayMotion(const OneWayOptions& options, const AmbientFlow& flow,
@@ -112,20 +124,13 @@ void OneWayMotion::add_pairs(const std::vector<RigidBody>& bodies, Assembly& out
       PairTerm term;
       term.first = members[i].body;
       term.second = members[j].body;
-      const auto row = [&](const Member& member, double sign) {
-        const Vec3& arm = bodies[static_cast<std::size_t>(member.body)]
-                              .arms[static_cast<std::size_t>(member.index)];
-        Vector6 six;
-        six << sign * eigen(n), sign * eigen(cross(arm, n)) / a;
-        return six;
-      };
-      term.row_first = row(members[i], 1.0);
-      term.row_second = row(members[j], -1.0);
+      term.row_first = normal_row(bodies, members[i], n, a);
+      term.row_second = -normal_row(bodies, members[j], n, a);
       term.strength = 0.5 * pair.squeeze;
       term.drive = 0.5 * pair.drive * dot(v, n);
-      if (options_.colloid_forces) {
-        term.drive += options_.colloid_forces->force(gap) / drag_;
-      }
+      out.pair_loads.push_back(
+          options_.colloid_forces ? options_.colloid_forces->force(gap) / drag_ : 0.0);
+      term.drive += out.pair_loads.back();
       out.pairs.push_back(term);
     }
   }
@@ -142,7 +147,8 @@ void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies,
   for (const Member& member : out.members) {
     const auto b = static_cast<std::size_t>(member.body);
     HeldColloid held = isolated(member.ambient, a);
-    held.drive.head<3>() += eigen(options_.weight) / drag_;
+    Vector6 load = Vector6::Zero();
+    load.head<3>() = eigen(options_.weight) / drag_;
     const bool forces =
         options_.grain_forces || options_.wall_forces || options_.colloid_forces;
     if (wall_hindrance_ || forces) {
@@ -156,19 +162,22 @@ void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies,
                                member.ambient, held);
         }
         if (forces) {
-          held.drive.head<3>() += eigen(surface.normal) * surface_force(surface) / drag_;
+          load.head<3>() += eigen(surface.normal) * surface_force(surface) / drag_;
         }
       }
     }
+    held.drive += load;
     BodySystem& system = out.systems[b];
     if (bodies[b].size() == 1) {
       system.resistance += held.resistance;
       system.drive += held.drive;
+      out.loads[b] += load;
     } else {
       const Matrix6 t =
           shift_of(bodies[b].arms[static_cast<std::size_t>(member.index)], a);
       system.resistance += t.transpose() * held.resistance * t;
       system.drive += t.transpose() * held.drive;
+      out.loads[b] += t.transpose() * load;
     }
   }
 }
@@ -178,6 +187,7 @@ OneWayMotion::Assembly OneWayMotion::assemble(
   Assembly out;
   out.members = members_of(bodies);
   out.systems.resize(bodies.size());
+  out.loads.assign(bodies.size(), Vector6::Zero());
   for (Member& member : out.members) {
     member.ambient = flow_.around(member.position, options_.radius);
   }
@@ -209,12 +219,11 @@ ContactRow OneWayMotion::contact_row(const std::vector<RigidBody>& bodies,
     const Vec3 e = shortest(surfaces_.box(), x, bodies[other].position(other_m));
     n = e * (1.0 / norm(e));
     row.second = contact.other_body;
-    row.row_second << -eigen(n),
-        -eigen(cross(bodies[other].arms[other_m], n)) / options_.radius;
+    row.row_second = -normal_row(bodies[other], other_m, n, options_.radius);
   } else {
     n = surfaces_.seen_from(x, contact.fixed).normal;
   }
-  row.row_first << eigen(n), eigen(cross(bodies[b].arms[m], n)) / options_.radius;
+  row.row_first = normal_row(bodies[b], m, n, options_.radius);
   return row;
 }
 
@@ -268,6 +277,135 @@ std::vector<BodyWrench> OneWayMotion::held_wrenches(
     out.push_back(from_wrench(system.drive, drag_, options_.radius));
   }
   return out;
+}
+
+// What common units, (U, a w) and (F, T/a) over the drag, leave out: 1 and a in turn.
+Eigen::VectorXd OneWayMotion::arms(Eigen::Index size) const {
+  Eigen::VectorXd arm = Eigen::VectorXd::Ones(size);
+  for (Eigen::Index n = 0; n < size; ++n) {
+    arm[n] = n % 6 < 3 ? 1.0 : options_.radius;
+  }
+  return arm;
+}
+
+Eigen::MatrixXd OneWayMotion::in_si(const Eigen::MatrixXd& resistance) const {
+  const Eigen::VectorXd arm = arms(resistance.rows());
+  return drag_ * arm.asDiagonal() * resistance * arm.asDiagonal();
+}
+
+LinearMotion OneWayMotion::linear(const std::vector<RigidBody>& bodies,
+                                  const std::vector<Contact>& pressed) const {
+  const Assembly assembly = assemble(bodies);
+  const auto n = 6 * static_cast<Eigen::Index>(bodies.size());
+  Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd drive(n), load(n);
+  Eigen::MatrixXd freedom = Eigen::MatrixXd::Zero(n, n);
+  Eigen::Index columns = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto at = 6 * static_cast<Eigen::Index>(b);
+    const BodySystem& system = assembly.systems[b];
+    resistance.block<6, 6>(at, at) = system.resistance;
+    drive.segment<6>(at) = system.drive;
+    load.segment<6>(at) = assembly.loads[b];
+    freedom.block(at, columns, 6, system.freedom.cols()) = system.freedom;
+    columns += system.freedom.cols();
+  }
+  freedom.conservativeResize(n, columns);
+  for (std::size_t p = 0; p < assembly.pairs.size(); ++p) {
+    const PairTerm& pair = assembly.pairs[p];
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+    row.segment<6>(6 * static_cast<Eigen::Index>(pair.first)) = pair.row_first;
+    row.segment<6>(6 * static_cast<Eigen::Index>(pair.second)) = pair.row_second;
+    resistance += pair.strength * row * row.transpose();
+    drive += pair.drive * row;
+    load += assembly.pair_loads[p] * row;
+  }
+  if (!pressed.empty() && columns > 0) {
+    Eigen::MatrixXd rows =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pressed.size()), n);
+    for (std::size_t c = 0; c < pressed.size(); ++c) {
+      const ContactRow row = contact_row(bodies, pressed[c]);
+      const auto i = static_cast<Eigen::Index>(c);
+      rows.row(i).segment<6>(6 * static_cast<Eigen::Index>(row.first)) =
+          row.row_first.transpose();
+      if (row.second >= 0) {
+        rows.row(i).segment<6>(6 * static_cast<Eigen::Index>(row.second)) =
+            row.row_second.transpose();
+      }
+    }
+    const Eigen::FullPivLU<Eigen::MatrixXd> split(rows * freedom);
+    freedom = split.dimensionOfKernel() > 0 ? Eigen::MatrixXd(freedom * split.kernel())
+                                            : Eigen::MatrixXd(n, 0);
+  }
+  LinearMotion out;
+  out.resistance = in_si(resistance);
+  const Eigen::VectorXd arm = arms(n);
+  out.drive = drag_ * arm.cwiseProduct(drive);
+  out.load = drag_ * arm.cwiseProduct(load);
+  out.motions = arm.cwiseInverse().asDiagonal() * freedom;
+  return out;
+}
+
+Matrix6 OneWayMotion::narrow_gaps(const Vec3& position, double cell) const {
+  Matrix6 sum = Matrix6::Zero();
+  std::vector<NearSurface> near;
+  surfaces_.near(position, near);
+  for (NearSurface surface : near) {
+    if (!is_surface(surfaces_.box(), surface.id) ||
+        surface.distance - options_.radius >= kResolvedCells * cell) {
+      continue;
+    }
+    const double least = contact_gap(options_.rules, surfaces_.box(), surface.id);
+    HeldColloid held;
+    wall_hindrance_->add(surface, least, {}, held);
+    sum += held.resistance;
+    held = {};
+    const double gap = std::max(least, surface.distance - options_.radius);
+    surface.distance = options_.radius + cell * gap_seen_by_grid(gap / cell);
+    wall_hindrance_->add(surface, least, {}, held);
+    sum -= held.resistance;
+  }
+  return sum;
+}
+
+Eigen::MatrixXd OneWayMotion::lubrication(const std::vector<RigidBody>& bodies,
+                                          double cell) const {
+  const auto n = 6 * static_cast<Eigen::Index>(bodies.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+  const std::vector<Member> members = members_of(bodies);
+  const double a = options_.radius;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Member& one = members[i];
+    const auto at = 6 * static_cast<Eigen::Index>(one.body);
+    const Vec3& arm = bodies[static_cast<std::size_t>(one.body)]
+                          .arms[static_cast<std::size_t>(one.index)];
+    if (wall_hindrance_) {
+      const Matrix6 t = shift_of(arm, a);
+      sum.block<6, 6>(at, at) += t.transpose() * narrow_gaps(one.position, cell) * t;
+    }
+    for (std::size_t j = i + 1; pair_hindrance_ && j < members.size(); ++j) {
+      const Member& two = members[j];
+      if (one.body == two.body) {
+        continue;
+      }
+      const Vec3 e = shortest(surfaces_.box(), one.position, two.position);
+      const double r = norm(e);
+      const double gap = std::max(r - 2.0 * a, options_.rules.colloid_gap);
+      if (gap >= kResolvedCells * cell) {
+        continue;
+      }
+      const Vec3 along = e * (1.0 / r);
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+      row.segment<6>(at) = normal_row(bodies, one, along, a);
+      row.segment<6>(6 * static_cast<Eigen::Index>(two.body)) =
+          -normal_row(bodies, two, along, a);
+      const double beyond =
+          pair_hindrance_->at(gap / a).squeeze -
+          pair_hindrance_->at(cell * gap_seen_by_grid(gap / cell) / a).squeeze;
+      sum += 0.5 * beyond * row * row.transpose();
+    }
+  }
+  return in_si(sum);
 }
 
 }  // namespace colloid

@@ -26,6 +26,17 @@ struct OneWayOptions {
   std::shared_ptr<const SurfaceForces> colloid_forces;
 };
 
+/// The model at one state, V of 6 n: per body (U [m/s], w [rad/s]); wrenches in N, N m:
+///
+///     wrench of liquid and surfaces = drive - resistance V,  load the surfaces' part.
+struct LinearMotion {
+  Eigen::MatrixXd resistance;
+  Eigen::VectorXd drive;
+  Eigen::VectorXd load;  ///< weight and surface forces, part of `drive`
+  Eigen::MatrixXd
+      motions;  ///< columns: the motions that bonds and pressed contacts leave
+};
+
 class OneWayMotion : public MotionModel {
  public:
   /// Keeps references to `flow` and `surfaces`, which may grow.  `grain_radii` [m].
@@ -42,6 +53,13 @@ class OneWayMotion : public MotionModel {
   std::vector<BodyWrench> held_wrenches(
       const std::vector<RigidBody>& bodies) const override;
 
+  /// `pressed`: contacts that keep their distance.
+  LinearMotion linear(const std::vector<RigidBody>& bodies,
+                      const std::vector<Contact>& pressed) const;
+  /// What a flow solved on a grid of this cell width [m] leaves out of the resistance in
+  /// narrow gaps, MODEL (Q2).  Units as in LinearMotion.
+  Eigen::MatrixXd lubrication(const std::vector<RigidBody>& bodies, double cell) const;
+
  private:
   struct Assembly;
   Assembly assemble(const std::vector<RigidBody>& bodies) const;
@@ -50,6 +68,9 @@ class OneWayMotion : public MotionModel {
   ContactRow contact_row(const std::vector<RigidBody>& bodies,
                          const Contact& contact) const;
   double surface_force(const NearSurface& surface) const;
+  Matrix6 narrow_gaps(const Vec3& position, double cell) const;
+  Eigen::VectorXd arms(Eigen::Index size) const;
+  Eigen::MatrixXd in_si(const Eigen::MatrixXd& resistance) const;
 
   OneWayOptions options_;
   double drag_;  ///< 6 pi mu a [N s/m]

@@ -16,12 +16,6 @@ struct Row {
   int second;
 };
 
-Vector6 row_of(const RigidBody& body, std::size_t member, const Vec3& n, double radius) {
-  Vector6 row;
-  row << eigen(n), eigen(cross(body.arms[member], n)) / radius;
-  return row;
-}
-
 void add_bonds(const std::vector<RigidBody>& bodies, const Box& box, double radius,
                std::vector<Row>& rows) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -29,7 +23,7 @@ void add_bonds(const std::vector<RigidBody>& bodies, const Box& box, double radi
       const auto m = static_cast<std::size_t>(bond.member);
       const Vec3 e = shortest(box, bodies[b].position(m), bond.anchor);
       const double r = norm(e);
-      rows.push_back({row_of(bodies[b], m, e * (1.0 / r), radius), Vector6::Zero(),
+      rows.push_back({normal_row(bodies[b], m, e * (1.0 / r), radius), Vector6::Zero(),
                       r - bond.distance, static_cast<int>(b), -1});
     }
   }
@@ -49,13 +43,13 @@ void add_contacts(const std::vector<RigidBody>& bodies,
       const double r = norm(e);
       const Vec3 n = e * (1.0 / r);
       rows.push_back(
-          {row_of(bodies[b], m, n, radius), -row_of(bodies[other], om, n, radius),
+          {normal_row(bodies[b], m, n, radius), -normal_row(bodies[other], om, n, radius),
            r - 2.0 * radius - rules.colloid_gap, contact.body, contact.other_body});
       continue;
     }
     const NearSurface surface = surfaces.seen_from(x, contact.fixed);
     rows.push_back(
-        {row_of(bodies[b], m, surface.normal, radius), Vector6::Zero(),
+        {normal_row(bodies[b], m, surface.normal, radius), Vector6::Zero(),
          surface.distance - radius - contact_gap(rules, surfaces.box(), surface.id),
          contact.body, -1});
   }

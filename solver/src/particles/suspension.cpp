@@ -98,6 +98,13 @@ Vec3 bond_contact(const RigidBody& body, const Bond& bond, const Box& box,
   return body.arms[m] + e * (lever / norm(e));
 }
 
+Vector6 normal_row(const RigidBody& body, std::size_t member, const Vec3& n,
+                   double radius) {
+  Vector6 row;
+  row << eigen(n), eigen(cross(body.arms[member], n)) / radius;
+  return row;
+}
+
 std::vector<Vector3> bond_contacts(const RigidBody& body, const Box& box, double radius) {
   std::vector<Vector3> points;
   points.reserve(body.bonds.size());

@@ -68,6 +68,11 @@ Vec3 bond_contact(const RigidBody& body, const Bond& bond, const Box& box, doubl
 /// Those of all its bonds, over the colloid's radius.
 std::vector<Vector3> bond_contacts(const RigidBody& body, const Box& box, double radius);
 
+/// Row that gives the velocity of a member's surface along n, of a motion (U, a w) of the
+/// body; likewise the wrench (F, T/a) of a unit force along n there.
+Vector6 normal_row(const RigidBody& body, std::size_t member, const Vec3& n,
+                   double radius);
+
 /// v turned by the rotation vector (Rodrigues' formula).
 Vec3 turned(const Vec3& v, const Vec3& turn);
 

@@ -87,8 +87,10 @@ SceneFile read_scene(const std::string& path) {
 
 void refuse_bodies(const SceneFile& file) {
   if (!file.scene.geometry.bodies.empty()) {
-    file.refuse("/geometry/bodies",
-                "need the tier quasi_steady, which is not there yet; expected no bodies");
+    file.refuse(
+        "/geometry/bodies",
+        "are measured (poreclog-solve measure); the tiers quasi_steady and one_way do "
+        "not start with bodies yet; expected none");
   }
 }
 

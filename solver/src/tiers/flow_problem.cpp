@@ -13,6 +13,7 @@ namespace colloid {
 namespace {
 
 constexpr double kDefaultPerDiameter = 24.0;
+constexpr double kDefaultPerBodyDiameter = 12.0;  // a mobility within 1 %
 constexpr double kDefaultAlongEdge = 48.0;
 constexpr double kMostAlongEdge = 1e6;
 
@@ -25,6 +26,15 @@ double physical_memory() {
          static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
+// Fixed ones and those that move.
+std::vector<Sphere> all_spheres(const Scene& scene) {
+  std::vector<Sphere> spheres = scene.geometry.spheres;
+  for (const Body& body : scene.geometry.bodies) {
+    spheres.push_back(body.sphere);
+  }
+  return spheres;
+}
+
 double smallest_diameter(const std::vector<Sphere>& spheres) {
   double diameter = spheres.front().radius * 2.0;
   for (const Sphere& s : spheres) {
@@ -34,7 +44,7 @@ double smallest_diameter(const std::vector<Sphere>& spheres) {
 }
 
 double wanted_spacing(const Scene& scene, const GridChoice& choice) {
-  const auto& spheres = scene.geometry.spheres;
+  const std::vector<Sphere> spheres = all_spheres(scene);
   if (choice.cells_per_diameter) {
     require(!spheres.empty(), "--cells-per-diameter",
             "the scene has no spheres; expected --cells NX NY NZ");
@@ -50,8 +60,12 @@ double wanted_spacing(const Scene& scene, const GridChoice& choice) {
     return scene.colloids->diameter / scene.fidelity.cells_per_colloid;
   }
   const Vec3 size = scene.geometry.box.size;
-  return spheres.empty() ? std::min({size.x, size.y, size.z}) / kDefaultAlongEdge
-                         : smallest_diameter(spheres) / kDefaultPerDiameter;
+  if (spheres.empty()) {
+    return std::min({size.x, size.y, size.z}) / kDefaultAlongEdge;
+  }
+  const bool bodies = !scene.geometry.bodies.empty();
+  return smallest_diameter(spheres) /
+         (bodies ? kDefaultPerBodyDiameter : kDefaultPerDiameter);
 }
 
 FlowDrive make_drive(const Drive& drive) {

@@ -18,9 +18,9 @@ struct GridChoice {
 };
 
 /// Cells per axis.  Nothing given: the scene's cells_per_colloid; without colloids 24 per
-/// diameter of the smallest sphere; without spheres 48 along the shortest edge.  Spacings
-/// are rounded so that whole cells fill each edge.  Refuses a grid that this machine's
-/// memory cannot hold.
+/// diameter of the smallest sphere, 12 where bodies move; without spheres 48 along the
+/// shortest edge.  Spacings are rounded so that whole cells fill each edge.  Refuses a
+/// grid that this machine's memory cannot hold.
 std::array<int, 3> choose_cells(const Scene& scene, const GridChoice& choice);
 
 /// The scene's flow around its grains and `deposit`.

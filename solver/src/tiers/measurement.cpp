@@ -85,6 +85,69 @@ void refuse_unresisted(const StokesProblem& problem) {
   refuse(FlowDrive::Kind::mean_velocity, "/drive/mean_velocity");
 }
 
+std::vector<MovingBody> moving_bodies(const Scene& scene) {
+  std::vector<MovingBody> out;
+  for (const Body& body : scene.geometry.bodies) {
+    out.push_back({body.sphere.center, {body.sphere}});
+  }
+  return out;
+}
+
+// Free under its force and torque, or moved without turning.
+BodyBalance balance_of(const Scene& scene, const std::vector<MovingBody>& moving) {
+  BodyBalance balance = free_bodies(moving, scene.fluid.viscosity);
+  std::vector<Eigen::Index> unknown;
+  for (std::size_t b = 0; b < moving.size(); ++b) {
+    const Body& body = scene.geometry.bodies[b];
+    const auto at = 6 * static_cast<Eigen::Index>(b);
+    for (int a = 0; a < 3; ++a) {
+      balance.load[at + a] = body.force[a];
+      balance.load[at + 3 + a] = body.torque[a];
+      balance.given[at + a] = body.velocity ? (*body.velocity)[a] : 0.0;
+    }
+    for (Eigen::Index n = 0; n < 6 && !body.velocity; ++n) {
+      unknown.push_back(at + n);
+    }
+  }
+  balance.motions = Eigen::MatrixXd::Zero(balance.given.size(),
+                                          static_cast<Eigen::Index>(unknown.size()));
+  for (std::size_t n = 0; n < unknown.size(); ++n) {
+    balance.motions(unknown[n], static_cast<Eigen::Index>(n)) = 1.0;
+  }
+  return balance;
+}
+
+// Something besides the bodies must hold the liquid, or all of it drifts freely.
+void refuse_drifting(const Scene& scene, const StokesProblem& problem) {
+  const auto& faces = problem.box.faces;
+  const auto& bodies = scene.geometry.bodies;
+  const bool held =
+      has_resistance(problem) ||
+      std::find(faces.begin(), faces.end(), FaceCondition::inlet) != faces.end() ||
+      std::any_of(bodies.begin(), bodies.end(),
+                  [](const Body& body) { return body.velocity.has_value(); });
+  require(
+      bodies.empty() || held, "/geometry/bodies",
+      "drift with the liquid, which nothing holds; expected a wall, an inlet, a fixed "
+      "sphere or a body with a velocity");
+}
+
+std::vector<BodyMeasurement> measured_bodies(const StokesSolver& solver,
+                                             std::size_t count) {
+  const auto part = [](const Eigen::VectorXd& six, std::size_t at) {
+    const auto n = static_cast<Eigen::Index>(at);
+    return Vec3{six[n], six[n + 1], six[n + 2]};
+  };
+  const Eigen::VectorXd wrench = solver.body_wrench();
+  std::vector<BodyMeasurement> out;
+  for (std::size_t b = 0; b < count; ++b) {
+    out.push_back({part(solver.body_motion(), 6 * b),
+                   part(solver.body_motion(), 6 * b + 3),
+                   {part(wrench, 6 * b), part(wrench, 6 * b + 3)}});
+  }
+  return out;
+}
+
 }  // namespace
 
 Measurement measure(const Scene& scene, const MeasureOptions& options) {
@@ -107,8 +170,17 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
   refuse_blocked(problem, m.critical);
   refuse_unresisted(problem);
 
+  refuse_drifting(scene, problem);
+
   StokesSolver solver(problem, flow);
-  m.statistics = solver.solve();
+  const std::vector<MovingBody> moving = moving_bodies(scene);
+  if (moving.empty()) {
+    m.statistics = solver.solve();
+  } else {
+    solver.set_bodies(moving);
+    m.statistics = solver.solve(balance_of(scene, moving));
+    m.bodies = measured_bodies(solver, moving.size());
+  }
   m.pressure_drop = solver.pressure_drop();
   m.superficial_velocity = solver.superficial_velocity();
   m.flow_rate = solver.flow_rate();
@@ -124,6 +196,7 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
     m.permeability = std::numeric_limits<double>::infinity();
   }
   m.forces = wall_forces(solver);
+  m.forces.spheres.resize(problem.spheres.size());  // bodies have their own
   m.regime = analyse_regime(scene, flow_scales(solver, m.flow_rate, m.critical.value));
   if (options.line) {
     m.profile = sample(solver, *options.line);

@@ -32,6 +32,13 @@ struct ProfilePoint {
   Vec3 velocity;  ///< [m/s]
 };
 
+/// A body of the scene: how it moves, and what the liquid does to it.
+struct BodyMeasurement {
+  Vec3 velocity;  ///< [m/s]
+  Vec3 spin;      ///< [rad/s]
+  Wrench wrench;  ///< torque about its centre
+};
+
 struct Measurement {
   std::array<int, 3> cells{};
   Vec3 spacing;  ///< [m]
@@ -42,14 +49,16 @@ struct Measurement {
   double permeability = 0.0;   ///< [m^2]; not finite without drive or resistance
   Vec3 body_force;             ///< acting [N/m^3]
   WallForces forces;           ///< grains first, then the deposit
+  std::vector<BodyMeasurement> bodies;
   CriticalDiameter critical;
   Regime regime;
   std::vector<ProfilePoint> profile;
 };
 
-/// Refuses a blocked throat whose drive holds a flux (blocked under another drive: flow
-/// rate and permeability are 0) and a line that leaves the box; throws ConvergenceError
-/// if the flow does not converge.
+/// Bodies move by (F18) in the resolved flow alone: gaps below a cell between them and
+/// other surfaces hinder them too little.  Refuses a blocked throat whose drive holds a
+/// flux (blocked under another drive: flow rate and permeability are 0) and a line that
+/// leaves the box; throws ConvergenceError if the flow does not converge.
 Measurement measure(const Scene& scene, const MeasureOptions& options);
 
 }  // namespace colloid

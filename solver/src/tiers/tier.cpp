@@ -7,12 +7,14 @@
 #include "core/error.h"
 #include "scene/names.h"
 #include "tiers/one_way.h"
+#include "tiers/quasi_steady.h"
 
 namespace colloid {
 
 namespace {
 
-constexpr std::array<Tier, 1> kTiers{{{"one_way", run_one_way}}};
+constexpr std::array<Tier, 2> kTiers{
+    {{"one_way", run_one_way}, {"quasi_steady", run_quasi_steady}}};
 
 }  // namespace
 
@@ -30,7 +32,7 @@ TierDecision choose_tier(const Scene& scene) {
   }
   throw InputError("/fidelity/tier",
                    fmt::format("is \"{}\", which this program does not have yet; "
-                               "expected \"one_way\" or \"auto\"",
+                               "expected \"one_way\", \"quasi_steady\" or \"auto\"",
                                name));
 }
 

@@ -98,6 +98,7 @@ std::optional<Realisation> TimeLoop::run() {
       {"cpu_seconds", static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC},
       {"flow_seconds", parts_.flow.seconds()},
       {"flow_work_units", parts_.flow.work_units()}};
+  parts_.motion.record(state_.realisation.deterministic, state_.realisation.cost);
   return std::move(state_.realisation);
 }
 
@@ -123,6 +124,7 @@ void TimeLoop::save() {
   checkpoint.realisation = state_.realisation;
   pack(state_, checkpoint.reals, checkpoint.integers);
   checkpoint.reals["flow"] = parts_.flow.state();
+  checkpoint.reals["motion"] = parts_.motion.state();
   checkpoint.reals["first_permeability"] = {first_permeability_};
   checkpoint.integers["flow_counts"] = {parts_.flow.solves(), parts_.flow.iterations(),
                                         parts_.flow.blocked() ? 1 : 0};
@@ -149,6 +151,7 @@ void TimeLoop::resume() {
   const auto& counts = checkpoint.integers.at("flow_counts");
   parts_.flow.restore(checkpoint.reals.at("flow"), counts.at(2) != 0,
                       static_cast<long>(counts.at(0)), static_cast<long>(counts.at(1)));
+  parts_.motion.restore(checkpoint.reals.at("motion"));
 }
 
 double TimeLoop::next_output_time() const {
@@ -172,12 +175,17 @@ void TimeLoop::step() {
   const double longest = std::max(0.0, until - s.time);
   double taken = longest;
   if (longest > 0.0) {
+    if (parts_.motion.begin_step(s.bodies, integrator_.contacts(),
+                                 integrator_.motion())) {
+      integrator_.refresh(s.bodies);
+    }
+    const double allowed = std::min(longest, parts_.motion.longest_step(s.bodies));
     std::optional<Forcing> forcing;
     if (parts_.brownian && !s.bodies.empty()) {
-      forcing = thermal_forcing(longest);
+      forcing = thermal_forcing(allowed);  // as strong as its step is short
       ++s.thermal_steps;
     }
-    taken = integrator_.advance(s.bodies, longest, forcing);
+    taken = integrator_.advance(s.bodies, allowed, forcing);
     for (const RigidBody& body : s.bodies) {
       if (!std::isfinite(dot(body.centre, body.centre))) {
         throw ConvergenceError("position of a colloid: not a finite number");
@@ -507,6 +515,9 @@ void TimeLoop::arrest(std::size_t index, std::size_t member) {
 
 // The deposit has grown by `batch`: what can pass, and how the liquid flows.
 void TimeLoop::observe(DepositBatch batch, bool solve) {
+  if (!batch.ids.empty()) {
+    parts_.motion.deposit_grew(batch.spheres);
+  }
   for (std::size_t i = 0; i < batch.ids.size(); ++i) {
     parts_.surfaces.add_colloid(batch.ids[i], batch.spheres[i]);
     spheres_.push_back(batch.spheres[i]);

@@ -26,7 +26,7 @@ namespace colloid {
 struct LoopParts {
   DepositFlow& flow;
   FixedSurfaces& surfaces;
-  const MotionModel& motion;
+  MotionModel& motion;
   const SurfaceModel& contacts;
   InjectionPlan injections;
   double inlet_speed = 0.0;  ///< mean, of the clean pore [m/s]

@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "base/json_text.h"
+#include "base/memory_file.h"
 #include "base/subprocess.h"
 #include "base/text.h"
 
@@ -121,6 +122,28 @@ TEST(File, IsWholeOrAbsent) {
   EXPECT_EQ(read_if_there(path), "two");
   EXPECT_THROW(write_whole("/proc/nowhere", "x", false), StorageError);
   EXPECT_EQ(read_if_there(temporary("absent")), std::nullopt);
+}
+
+TEST(File, IsReplacedUnderAReaderThatKeepsTheOldOne) {
+  const std::string path = temporary("replaced");
+  write_whole(path, "one", false);
+  std::ifstream reader(path);
+  write_whole(path, "two", false);
+  std::string seen;
+  reader >> seen;
+  EXPECT_EQ(seen, "one");
+  EXPECT_EQ(read_if_there(path), "two");
+}
+
+TEST(File, InMemoryIsReadByAChildAndHasNoName) {
+  const std::string text = "{\"a\": 1}\n" + std::string(200000, 'x');
+  std::string path;
+  {
+    const MemoryFile file(text);
+    path = file.path();
+    EXPECT_EQ(run_program({"cat", path, path}).out, text + text);
+  }
+  EXPECT_EQ(read_if_there(path), std::nullopt);
 }
 
 }  // namespace

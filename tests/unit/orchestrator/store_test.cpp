@@ -102,6 +102,27 @@ TEST_F(StoreTest, SeriesComeOutAsTheyWentInThoughOnlyChangesAreKept) {
   EXPECT_EQ(rows("SELECT count(*) FROM time_grid")[0][0], 1);
 }
 
+TEST_F(StoreTest, BatchesAreWholeOrAbsentAndEachCommitIsSeenByOthers) {
+  const std::vector<double> times = grid(10, 0.1);
+  const std::string count = "SELECT count(*) FROM realisation WHERE status = 'ingested'";
+  {
+    Store store(path_, plan_, "/f");
+    Batch batch(store);
+    store.ingest({0, 0}, attempt(1), result_of(0, times));
+    store.ingest({0, 1}, attempt(1), result_of(1, times));
+    EXPECT_EQ(rows(count)[0][0], 0);
+    batch.commit();
+    EXPECT_EQ(rows(count)[0][0], 2);
+    store.ingest({0, 2}, attempt(1), result_of(2, times));
+  }  // without commit()
+  EXPECT_EQ(rows(count)[0][0], 2);
+  EXPECT_EQ(rows("SELECT count(*) FROM attempt")[0][0], 2);
+  Store again(path_, plan_, "/f");
+  EXPECT_EQ(again.status({0, 2}), Status::eligible);
+  again.ingest({0, 2}, attempt(1), result_of(2, times));
+  EXPECT_EQ(rows(count)[0][0], 3) << "a change without a batch is a transaction";
+}
+
 // Reference  mean and sample standard deviation summed here over the records themselves,
 // in
 //            two passes.  Tolerance: rounding of 4 terms, 1e-13 relative.

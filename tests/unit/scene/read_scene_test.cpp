@@ -62,8 +62,7 @@ TEST(ReadScene, ReadsBodiesForTheTiersThatMoveThem) {
     FAIL() << "bodies were not refused";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),
-                HasSubstr("line 5, column 5: /geometry/bodies: need the tier "
-                          "quasi_steady"));
+                HasSubstr("line 5, column 5: /geometry/bodies: are measured"));
   }
 }
 
