@@ -144,7 +144,9 @@ bool on_another_machine(const std::string& folder) {
 }
 
 bool give_up(const std::string& folder) {
-  const auto lock = FileLock::take(folder + "/lock", "given up\n");
+  // One word: of two, the second is a machine's name (on_another_machine), also if we are
+  // killed before the ending is written.
+  const auto lock = FileLock::take(folder + "/lock", "abandoned\n");
   if (!lock) {
     return false;
   }
