@@ -72,7 +72,7 @@ class Cluster:
             "SelectTypeParameters": "CR_Core", "SchedulerType": "sched/builtin",
             "SchedulerParameters": "batch_sched_delay=0,sched_interval=1",
             "ReturnToService": 2, "MpiDefault": "none", "SwitchType": "switch/none",
-            "MinJobAge": 300, "MaxArraySize": 1001, "MaxJobCount": 10000, "KillWait": 5,
+            "MinJobAge": 300, "MaxArraySize": 1001, "MaxJobCount": 10000, "KillWait": 2,
             "SlurmdParameters": "config_overrides", "InactiveLimit": 0,
             "SlurmdTimeout": 10, "SlurmctldTimeout": 10, **config}
         lines = [f"{key}={value}" for key, value in settings.items()]
@@ -111,11 +111,11 @@ class Cluster:
         self.start_controller("-i")
         for node in self.nodes:
             self.start_node(node)
-        wait_until(lambda: succeeds("scontrol", "ping"), "slurmctld")
         wait_until(lambda: self.node_states() == {n: "idle" for n in self.nodes}, "nodes")
 
     def start_controller(self, *more):
         self.launch("slurmctld", ["slurmctld", "-D", *more])
+        wait_until(lambda: succeeds("scontrol", "ping"), "slurmctld")
 
     def start_node(self, node):
         conf = f"{self.folder}/conf.{node}/slurm.conf"
@@ -129,14 +129,18 @@ class Cluster:
         daemon.send_signal(how)
         daemon.wait(timeout=20)
 
+    def clear(self):
+        """Ends all jobs."""
+        jobs = self.queue("PD,R,CG,S")
+        if jobs:
+            subprocess.run(["scancel", "--signal=KILL", "--full", *jobs],
+                           capture_output=True)
+            subprocess.run(["scancel", *jobs], capture_output=True)
+            wait_until(lambda: not self.queue("PD,R,CG,S"), "jobs to end", fail=False)
+
     def stop(self):
         if "slurmctld" in self.daemons and succeeds("scontrol", "ping"):
-            jobs = self.queue("PD,R,CG,S")
-            if jobs:
-                subprocess.run(["scancel", "--signal=KILL", "--full", *jobs],
-                               capture_output=True)
-                subprocess.run(["scancel", *jobs], capture_output=True)
-                wait_until(lambda: not self.queue("R,CG,S"), "jobs to end", fail=False)
+            self.clear()
         for name in sorted(self.daemons, key=lambda n: ["slurmd", "slurmc", "munged"].index(
                 n[:6].rstrip("."))):
             daemon = self.daemons[name]

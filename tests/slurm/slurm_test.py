@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -19,15 +20,31 @@ from cluster import Cluster  # noqa: E402
 
 
 class OnSlurm(orchestrator.Bench):
+    """One cluster for the tests of a class: its first job waits for seconds."""
     config = {}
-    nodes = 2
+
+    @classmethod
+    def setUpClass(cls):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="poreclog-slurm-"))
+        cls.addClassCleanup(shutil.rmtree, folder, ignore_errors=True)
+        cls.cluster = Cluster(folder, 2, **cls.config)
+        cls.addClassCleanup(cls.cluster.stop)
+        cls.cluster.start()
 
     def setUp(self):
         super().setUp()
         self.folder.chmod(0o755)
-        self.cluster = Cluster(self.folder / "slurm", self.nodes, **self.config)
-        self.addCleanup(self.cluster.stop)
-        self.cluster.start()
+        self.jobs_before = {job for job, _ in self.cluster.tasks()}
+        self.addCleanup(self.cluster.clear)
+
+    def tasks(self):
+        """State of this test's tasks by (array's id, index)."""
+        return {task: state for task, state in self.cluster.tasks().items()
+                if task[0] not in self.jobs_before}
+
+    def only_job(self):
+        (job,) = {job for job, _ in self.tasks()}
+        return job
 
     def environment(self, fake):
         return {**super().environment(fake), "OMPI_ALLOW_RUN_AS_ROOT": "1",
@@ -108,14 +125,22 @@ class Arrays(OnSlurm):
         self.assertEqual(len(list((self.runs / "c/slurm").glob("*/job"))), 1)
 
     def test_are_folded_in_while_others_run(self):
-        campaign = self.write(realisations=40, executor="slurm")
+        campaign = self.write(realisations=20, executor="slurm")
         self.poreclog("submit", campaign, SECONDS=2)
-        self.wait_until(lambda: 0 < self.status()["total"]["ingested"] < 40)
+        self.wait_until(lambda: 0 < self.status()["total"]["ingested"] < 20)
         status = self.status()
         self.assertTrue(status["slurm"]["answers"])
         self.assertGreater(status["total"]["active"], 0)
         self.poreclog("run", "c", SECONDS=2)  # stays until the end
         self.assertEqual(self.content(), self.undisturbed(campaign))
+
+    def test_are_asked_after_once_a_second_at_most(self):
+        campaign = self.write(realisations=2)
+        calls = self.folder / "calls"
+        prefix = self.wrapper("squeue", f'echo >> {calls}\nexec {shutil.which("squeue")} "$@"\n')
+        begin = time.monotonic()
+        self.poreclog("run", campaign, "--executor", "slurm", prefix=prefix, SECONDS=3)
+        self.assertLessEqual(len(calls.read_text()), time.monotonic() - begin + 1)
 
     def test_of_a_campaign_that_is_extended(self):
         campaign = self.write(realisations=3, executor="slurm")
@@ -141,23 +166,40 @@ class Arrays(OnSlurm):
         self.assertIn("#!/bin/sh", text)
         self.assertIn("never tried  [0-6]", text)
 
+    def test_that_are_with_slurm_are_left_there_by_dry_runs_and_the_local_executor(self):
+        campaign = self.write(realisations=3)
+        self.poreclog("submit", campaign, SECONDS=6)
+        before = sorted(self.runs.rglob("*/submission.json"))
+        plan = json.loads(self.poreclog("resume", "c", "--dry-run", "--json").stdout)
+        self.assertEqual([(c["action"], c["reason"], c["count"])
+                          for c in plan["ensembles"][0]["classes"]],
+                         [("take_over", "running", 3)])
+        self.assertEqual((plan["to_run"], plan["slurm"]["sbatch_calls"]), (0, 0))
+        done = self.poreclog("run", "c", "--executor", "local", code=1)
+        self.assertIn("jobs of this campaign are on Slurm", done.stderr)
+        self.assertEqual(sorted(self.runs.rglob("*/submission.json")), before)
+        self.assertEqual(len(self.attempts_of()), 3)
+        self.poreclog("cancel", "c", "--now")
+        self.poreclog("run", "c", "--executor", "local")
+        self.assertEqual(self.content(), self.undisturbed(campaign))
+
 
 class SmallSite(OnSlurm):
     """Arrays of ten tasks, forty jobs in all."""
     config = {"MaxArraySize": 10, "MaxJobCount": 40}
 
     def test_gets_few_arrays_with_several_realisations_a_task(self):
-        campaign = self.write(realisations=150)
+        campaign = self.write(realisations=60)
         counter = self.folder / "calls"
         real = shutil.which("sbatch")
         prefix = self.wrapper("sbatch", f'echo >> {counter}\nexec {real} "$@"\n')
         self.poreclog("submit", campaign, prefix=prefix)
-        self.assertLessEqual(len(self.cluster.tasks()), 20)  # half of the table
+        self.assertLessEqual(len(self.tasks()), 20)  # half of the table
         self.wait_for_tasks()
         self.finish()
         self.assertEqual(self.content(), self.undisturbed(campaign))
-        self.assertEqual(len(counter.read_text()), 1)  # 10 tasks of 15 realisations
-        self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(150,)])
+        self.assertEqual(len(counter.read_text()), 1)  # 10 tasks of 6 realisations
+        self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(60,)])
 
 
 class Names(OnSlurm):
@@ -187,7 +229,6 @@ class Names(OnSlurm):
         self.poreclog("run", campaign, "--executor", "slurm")
         self.assertEqual(self.content(), self.undisturbed(campaign))
 
-
     def test_of_a_program_that_nodes_do_not_have_stop_the_campaign(self):
         campaign = self.write(realisations=3, limits={"attempts": 2})
         gone = self.folder / "gone"
@@ -212,21 +253,64 @@ class Answers(OnSlurm):
     def test_of_sbatch_that_are_lost_are_found_by_the_jobs_name(self):
         campaign = self.write(realisations=5)
         real = shutil.which("sbatch")
+        self.wrapper("sacct", "exit 127\n")  # as a shell says that there is none
         prefix = self.wrapper("sbatch", f'{real} "$@" >/dev/null\n'
                               "echo 'sbatch: error: Batch job submission failed: Socket "
                               "timed out on send/recv operation' >&2\nexit 1\n")
         self.poreclog("submit", campaign, prefix=prefix)
         self.wait_for_tasks()
         self.finish()
-        self.assertEqual(len({job for job, _ in self.cluster.tasks()}), 1)
+        self.assertEqual(len({job for job, _ in self.tasks()}), 1)
         self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(5,)])
         self.assertEqual(self.content(), self.undisturbed(campaign))
 
-    def test_that_do_not_come_mean_unknown_not_finished(self):
+    def test_of_sbatch_that_are_lost_are_found_in_the_accounting(self):
+        """squeue has forgotten the job by then."""
+        campaign = self.write(realisations=3)
+        job = self.folder / "job"
+        self.wrapper("sbatch", f'{shutil.which("sbatch")} "$@" >{job}\nexit 1\n')
+        self.wrapper("squeue", "exit 0\n")
+        prefix = self.wrapper("sacct", f"sed 's/$/_0/' {job}\n")
+        self.poreclog("submit", campaign, prefix=prefix)
+        self.assertEqual((self.runs / "c/slurm/000001/job").read_text(), job.read_text())
+        self.wait_for_tasks()
+        self.finish()
+        self.assertEqual(self.only_job(), int(job.read_text()))
+        self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(3,)])
+        self.assertEqual(self.content(), self.undisturbed(campaign))
+
+    def test_of_squeue_that_are_empty_are_not_believed(self):
+        campaign = self.write(realisations=3)
+        self.poreclog("submit", campaign, SECONDS=3)
+        self.wait_until(lambda: len(self.attempts()) == 3)
+        empty = self.wrapper("squeue", "exit 0\n")
+        status = json.loads(self.poreclog("status", "c", "--json", prefix=empty).stdout)
+        self.assertEqual((status["slurm"]["tasks_unknown"], status["total"]["ingested"],
+                          status["total"]["eligible"]), (3, 0, 0))
+        self.poreclog("resume", "c", code=3, prefix=empty)
+        self.assertEqual(len(self.attempts_of()), 3)
+        self.finish()
+        self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(3,)])
+        self.assertEqual(self.content(), self.undisturbed(campaign))
+
+    def test_that_squeue_filters_for_the_users_taste_are_not_filtered_for_us(self):
+        self.poreclog("submit", self.write(realisations=2), SECONDS=3,
+                      prefix=["env", "SQUEUE_PARTITION=other", "SBATCH_WAIT=1"])
+        done = self.poreclog("status", "c", "--json", prefix=["env", "SQUEUE_NAMES=x"])
+        slurm = json.loads(done.stdout)["slurm"]
+        self.assertEqual(slurm["tasks_waiting"] + slurm["tasks_running"], 2)
+        self.poreclog("cancel", "c", "--now")
+
+
+class Controller(OnSlurm):
+    """slurmctld goes down."""
+    config = {"MessageTimeout": 3}  # [s] for its clients to find out
+
+    def test_that_does_not_answer_means_unknown_not_finished(self):
         campaign = self.write(realisations=4)
-        self.poreclog("submit", campaign, SECONDS=15)
+        self.poreclog("submit", campaign, SECONDS=8)
         self.wait_until(lambda: len(self.attempts()) == 4)
-        self.cluster.kill("slurmctld")
+        self.cluster.kill("slurmctld", signal.SIGTERM)
         status = self.status()
         self.assertFalse(status["slurm"]["answers"])
         self.assertEqual((status["total"]["ingested"], status["slurm"]["tasks_unknown"]),
@@ -236,30 +320,20 @@ class Answers(OnSlurm):
         self.wait_until(lambda: len(list(self.runs.glob("c/p*/*/*/result.h5"))) == 4)
         self.assertEqual(self.status()["total"]["ingested"], 4)  # files say so
         self.cluster.start_controller()
-        self.wait_until(lambda: self.cluster.queue("all"))
         self.finish()
         self.assertEqual(self.content(), self.undisturbed(campaign))
         self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(4,)])
 
-    def test_survive_a_controller_that_restarts_in_mid_campaign(self):
-        campaign = self.write(realisations=40)
+    def test_that_restarts_in_mid_campaign_loses_nothing(self):
+        campaign = self.write(realisations=20)
         self.poreclog("submit", campaign, SECONDS=1)
         self.wait_until(lambda: len(self.attempts()) > 3)
         self.cluster.kill("slurmctld", signal.SIGTERM)
         self.cluster.start_controller()
-        self.wait_until(lambda: self.cluster.queue("all"))
         self.finish(SECONDS=1)
         self.assertEqual(self.content(), self.undisturbed(campaign))
         self.assertEqual(self.incidents(), [])
-        self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(40,)])
-
-    def test_that_squeue_filters_for_the_users_taste_are_not_filtered_for_us(self):
-        self.poreclog("submit", self.write(realisations=2), SECONDS=3,
-                      prefix=["env", "SQUEUE_PARTITION=other", "SBATCH_WAIT=1"])
-        done = self.poreclog("status", "c", "--json", prefix=["env", "SQUEUE_NAMES=x"])
-        slurm = json.loads(done.stdout)["slurm"]
-        self.assertEqual(slurm["tasks_waiting"] + slurm["tasks_running"], 2)
-        self.poreclog("cancel", "c", "--now")
+        self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(20,)])
 
 
 class Tasks(OnSlurm):
@@ -301,13 +375,13 @@ class Tasks(OnSlurm):
         self.assertEqual(self.content(), self.undisturbed(campaign))
 
     def test_that_wait_or_ignore_signals_are_cancelled_too(self):
-        campaign = self.write(realisations=40)
+        campaign = self.write(realisations=20)
         self.poreclog("submit", campaign, FAULT="ignore_term")
         self.wait_until(lambda: len(self.attempts()) >= 16)
         self.poreclog("cancel", "c", "--now")
         self.assertEqual(self.cluster.queue("PD,R,CG,S"), [])
         self.wait_until(lambda: self.solvers() == [], 5)
-        self.assertEqual(self.status()["total"]["eligible"], 40)
+        self.assertEqual(self.status()["total"]["eligible"], 20)
         self.poreclog("run", "c")
         self.assertEqual(self.content(), self.undisturbed(campaign))
 
@@ -315,7 +389,7 @@ class Tasks(OnSlurm):
         campaign = self.write(realisations=6)
         self.poreclog("submit", campaign, SECONDS=4)
         self.wait_until(lambda: len(self.attempts()) == 6)
-        job = next(iter(self.cluster.tasks()))[0]
+        job = self.only_job()
         subprocess.run(["scancel", f"{job}_0", f"{job}_1"], check=True)
         for keeper in self.attempts()[:2]:
             orchestrator.kill(keeper)
@@ -328,9 +402,9 @@ class Tasks(OnSlurm):
         campaign = self.write(realisations=4)
         self.poreclog("submit", campaign, SECONDS=3)
         self.wait_until(lambda: len(self.attempts()) == 4)
-        job = next(iter(self.cluster.tasks()))[0]
+        job = self.only_job()
         subprocess.run(["scontrol", "requeue", f"{job}_1"], check=True)
-        self.wait_until(lambda: self.cluster.tasks()[(job, 1)] == "PENDING")
+        self.wait_until(lambda: self.tasks()[(job, 1)] == "PENDING")
         self.assertEqual(self.status()["total"]["active"], 4)
         subprocess.run(["scontrol", "update", f"jobid={job}_1", "starttime=now"], check=True)
         self.wait_for_tasks()
@@ -338,14 +412,14 @@ class Tasks(OnSlurm):
         self.assertEqual(self.content(), self.undisturbed(campaign))
         self.assertEqual(self.ask("SELECT idx, count(*) FROM v_attempt GROUP BY 1"),
                          [(0, 1), (1, 2), (2, 1), (3, 1)])
-        self.assertEqual(len({j for j, _ in self.cluster.tasks()}), 1)
+        self.assertEqual(len({j for j, _ in self.tasks()}), 1)
 
     def test_that_come_twice_run_once(self):
         campaign = self.write(realisations=5)
         real = shutil.which("sbatch")
         prefix = self.wrapper("sbatch", f'{real} "$@" >/dev/null\nexec {real} "$@"\n')
         self.poreclog("submit", campaign, prefix=prefix, SECONDS=1)
-        self.assertEqual(len({j for j, _ in self.cluster.tasks()}), 2)
+        self.assertEqual(len({j for j, _ in self.tasks()}), 2)
         self.wait_for_tasks()
         self.finish()
         self.assertEqual(len(list(self.runs.glob("c/p*/*/*/result.h5"))), 5)
@@ -422,7 +496,7 @@ class Killed(OnSlurm):
                 command = moments.choice(["submit", "resume", "status"] if begun
                                          else ["submit"])
                 process = self.start(command, campaign, SECONDS=0.5)
-                time.sleep(moments.uniform(0.0, 0.5))
+                time.sleep(moments.uniform(0.0, 0.15))
                 if process.poll() is None:
                     process.kill()
                     kills += 1
@@ -442,6 +516,7 @@ class Killed(OnSlurm):
             self.assertEqual(self.ask("SELECT count(*) FROM v_attempt WHERE cause = "
                                       "'running'"), [(0,)])
         print(f"\norchestrators killed {kills}, seed {seed}", flush=True)
+        self.assertGreater(kills, 5, "they were too quick")
 
 
 class Nodes(OnSlurm):
@@ -463,7 +538,7 @@ class Nodes(OnSlurm):
                        check=True)
         time.sleep(2)
         subprocess.run(["scontrol", "update", "nodename=n2", "state=idle"])
-        for job, index in self.cluster.tasks():
+        for job, index in self.tasks():
             subprocess.run(["scontrol", "update", f"jobid={job}_{index}", "starttime=now"],
                            capture_output=True)
         self.wait_until(lambda: len(set(self.attempts_of()) - before) > 0, 60)
@@ -479,9 +554,9 @@ class Nodes(OnSlurm):
         campaign = self.write(realisations=1, limits={"seconds_per_realisation": 600})
         self.poreclog("submit", campaign, FAULT="ignore_term")
         self.wait_until(self.attempts)
-        job = next(iter(self.cluster.tasks()))[0]
+        job = self.only_job()
         subprocess.run(["scontrol", "update", f"jobid={job}", "timelimit=1"], check=True)
-        self.wait_until(lambda: self.cluster.tasks()[(job, 0)] == "TIMEOUT", 150)
+        self.wait_until(lambda: self.tasks()[(job, 0)] == "TIMEOUT", 150)
         self.poreclog("resume", "c", code=3)
         self.assertEqual(self.ask("SELECT cause FROM v_attempt WHERE attempt = 1"),
                          [("time_limit",)])
