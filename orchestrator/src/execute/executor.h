@@ -48,7 +48,7 @@ class Executor {
   /// Do jobs go on without the caller, to be adopted by a later process?  Then nobody has
   /// to stop them because the caller stops.
   virtual bool outlasts_caller() const = 0;
-  /// Why it took fewer jobs than it was given or could have been; empty if it did not.
+  /// Why it takes no more jobs for now, in the scheduler's words; empty if it would.
   virtual std::string limited_by() const { return ""; }
 };
 

@@ -1,19 +1,13 @@
 #include "execute/slurm_jobs.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
-#include "base/clock.h"
-#include "base/error.h"
 #include "base/file_lock.h"
 #include "base/files.h"
+#include "execute/slurm_ending.h"
 
 namespace colloid {
 
@@ -30,42 +24,6 @@ std::string parent_of(const std::string& folder) {
 bool was_asked_to_stop(const std::string& ending) {
   const json parsed = json::parse(ending, nullptr, false);
   return parsed.is_object() && parsed.value("stopped", json()) == "asked";
-}
-
-/// Claims an attempt that no task has begun, so that none can: the lock's file is made
-/// by whoever comes first, on whatever machine.
-bool claim_unbegun(const std::string& folder) {
-  const std::string path = folder + "/lock";
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0644);
-  if (descriptor >= 0) {
-    ::close(descriptor);
-    return true;
-  }
-  if (errno != EEXIST && errno != ENOENT) {
-    throw StorageError(fmt::format("{}: cannot be made: {}", path, std::strerror(errno)));
-  }
-  return false;
-}
-
-/// The end of an attempt whose task is gone and has left none; `word`: Slurm's.
-json ending_of_lost(bool begun, const std::string& word) {
-  json ending{{"schema_version", 1}, {"ended", utc_now()}, {"scheduler", word}};
-  const bool was_its_turn =
-      word == "COMPLETED" || word == "FAILED" || word == "BOOT_FAIL";
-  if (!begun && was_its_turn) {
-    ending["exit_code"] = 127;  // as a shell says that there is no such program
-  } else if (!begun || word == "CANCELLED" || word == "PREEMPTED" || word == "DEADLINE" ||
-             word == "REVOKED") {
-    ending["stopped"] = "asked";
-  } else if (word == "TIMEOUT") {
-    ending["stopped"] = "time_limit";
-  } else if (word == "OUT_OF_MEMORY") {
-    ending["signal"] = 9;
-    ending["out_of_memory"] = true;
-  } else {
-    ending["lost"] = true;
-  }
-  return ending;
 }
 
 /// Makes a file server's client look again for files that it believes absent.
@@ -249,15 +207,7 @@ Presence SlurmJobs::conclude(const std::string& attempt_folder) {
     return now;
   }
   const Task* task = task_of(attempt_folder);
-  const bool begun = !claim_unbegun(attempt_folder);
-  if (!begun) {
-    write_whole(attempt_folder + "/stderr",
-                fmt::format("its task on Slurm ended before it had begun: {} {}\n",
-                            task->word, task->reason),
-                false);
-  }
-  write_whole(attempt_folder + "/ending.json",
-              ending_of_lost(begun, task->word).dump() + "\n", false);
+  write_slurm_ending(attempt_folder, task->word, task->reason);
   return Presence::ended;
 }
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "base/file_lock.h"
 #include "ingest/attempt_folder.h"
 #include "ingest/result_file.h"
 #include "ingest/standing.h"
@@ -122,13 +121,10 @@ Presence Ingester::presence(const std::string& folder) {
   if (elsewhere != Presence::not_mine) {
     return elsewhere;
   }
-  if (is_there(folder) && !is_there(folder + "/ending.json") &&
-      !is_there(folder + "/result.h5")) {
-    return on_another_machine(folder) ? Presence::unknown
-           : give_up(folder)          ? Presence::ended
-                                      : Presence::active;
-  }
-  return FileLock::is_held(folder + "/lock") ? Presence::active : Presence::ended;
+  const Presence here = presence_here(folder);
+  const bool has_said = !is_there(folder) || is_there(folder + "/ending.json") ||
+                        is_there(folder + "/result.h5");
+  return here != Presence::ended || has_said || give_up(folder) ? here : Presence::active;
 }
 
 Settled Ingester::settle(const Item& item, int number) {

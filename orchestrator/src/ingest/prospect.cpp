@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/file_lock.h"
 #include "base/files.h"
 #include "ingest/attempt_folder.h"
 #include "ingest/standing.h"
@@ -110,14 +109,7 @@ Verdict verdict_of_ended(const std::vector<AttemptRecord>& attempts, int forgive
 Presence presence(const std::string& attempt, const AttemptWatch* watch) {
   const Presence elsewhere =
       watch == nullptr ? Presence::not_mine : watch->presence(attempt);
-  if (elsewhere != Presence::not_mine) {
-    return elsewhere;
-  }
-  const bool left_something =
-      is_file(attempt + "/ending.json") || is_file(attempt + "/result.h5");
-  return !left_something && on_another_machine(attempt) ? Presence::unknown
-         : FileLock::is_held(attempt + "/lock")         ? Presence::active
-                                                        : Presence::ended;
+  return elsewhere != Presence::not_mine ? elsewhere : presence_here(attempt);
 }
 
 /// The same questions as Ingester::catch_up, in the same order.

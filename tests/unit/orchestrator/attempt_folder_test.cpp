@@ -19,8 +19,7 @@ namespace {
 // The child stands still between the lock and the ending, because the file that it writes
 // is a pipe that nobody reads; there it is killed.
 TEST(AttemptThatIsGivenUp, IsGivenUpAgainByTheNextIfTheFirstIsKilledMeanwhile) {
-  const std::string folder =
-      fmt::format("{}given_up_{}", testing::TempDir(), ::getpid());
+  const std::string folder = fmt::format("{}given_up_{}", testing::TempDir(), ::getpid());
   make_folder(folder);
   const pid_t child = ::fork();
   if (child == 0) {
