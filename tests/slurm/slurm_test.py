@@ -185,8 +185,8 @@ class Arrays(OnSlurm):
 
 
 class SmallSite(OnSlurm):
-    """Arrays of ten tasks, forty jobs in all."""
-    config = {"MaxArraySize": 10, "MaxJobCount": 40}
+    """Arrays of ten tasks, sixteen jobs in all."""
+    config = {"MaxArraySize": 10, "MaxJobCount": 16}
 
     def test_gets_few_arrays_with_several_realisations_a_task(self):
         campaign = self.write(realisations=60)
@@ -194,11 +194,11 @@ class SmallSite(OnSlurm):
         real = shutil.which("sbatch")
         prefix = self.wrapper("sbatch", f'echo >> {counter}\nexec {real} "$@"\n')
         self.poreclog("submit", campaign, prefix=prefix)
-        self.assertLessEqual(len(self.tasks()), 20)  # half of the table
+        self.assertEqual(len(self.tasks()), 8)  # half of the table
         self.wait_for_tasks()
         self.finish()
         self.assertEqual(self.content(), self.undisturbed(campaign))
-        self.assertEqual(len(counter.read_text()), 1)  # 10 tasks of 6 realisations
+        self.assertEqual(len(counter.read_text()), 1)  # 8 realisations a task
         self.assertEqual(self.ask("SELECT count(*) FROM v_attempt"), [(60,)])
 
 
@@ -349,6 +349,9 @@ class Tasks(OnSlurm):
                               ATTEMPTS=1)
                 causes = sorted(r[0] for r in self.ask("SELECT cause FROM v_attempt"))
                 self.assertEqual(causes, sorted([cause] * 3 + ["finished"] * 3))
+                # the limit was kept by the job, not a minute later by Slurm
+                self.assertEqual(self.ask("SELECT count(*) FROM v_attempt WHERE wall_s < 20"),
+                                 [(6,)])
 
     def test_that_always_fail_use_up_their_attempts(self):
         campaign = self.write(realisations=2, limits={"attempts": 2})
