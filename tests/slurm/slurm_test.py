@@ -489,6 +489,10 @@ class Killed(OnSlurm):
         seed = int(os.environ.get("KILL_SEED", str(random.randrange(10**6))))
         moments = random.Random(seed)
         kills = 0
+        warm = {"database": self.folder / "warm.sqlite", "runs": self.folder / "warm"}
+        begin = time.monotonic()
+        self.poreclog("submit", self.write(realisations=25), **warm)
+        longest = time.monotonic() - begin
         for round_ in range(3):
             self.runs = self.folder / f"runs{round_}"
             self.database = self.folder / f"db{round_}.sqlite"
@@ -496,10 +500,10 @@ class Killed(OnSlurm):
                                   master_seed=round_ + 1, limits={"attempts": 1000})
             for _ in range(10):
                 begun = (self.runs / "c/campaign.json").exists() and self.database.exists()
-                command = moments.choice(["submit", "resume", "status"] if begun
-                                         else ["submit"])
+                command = moments.choice(["submit", "resume", "status", "cancel"]
+                                         if begun else ["submit"])
                 process = self.start(command, campaign, SECONDS=0.5)
-                time.sleep(moments.uniform(0.0, 0.15))
+                time.sleep(moments.uniform(0.0, longest))
                 if process.poll() is None:
                     process.kill()
                     kills += 1
