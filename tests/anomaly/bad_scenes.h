@@ -206,7 +206,8 @@ inline std::vector<BadScene> bad_combinations() {
                    "bodies": [{"center": ["5 um", "5 um", "8 um"], "diameter": "4 um"}])"),
        5, "/geometry/bodies/0", "overlaps grain 0", false},
       {box_with("wwwwww",
-                R"("bodies": [{"center": ["5 um", "5 um", "5 um"], "diameter": "4 um"}])",
+                R"("bodies": [{"center": ["5 um", "5 um", "5 um"], "diameter": "4 um",
+                               "force": ["1 pN", "0 N", "0 N"]}])",
                 R"("fidelity": {"tier": "one_way"})"),
        5, "/fidelity/tier", "need quasi_steady or transient", false},
   };

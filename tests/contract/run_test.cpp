@@ -72,6 +72,36 @@ TEST(Run, ResolvesEveryColloidInTheTierQuasiSteady) {
   }
 }
 
+// Two colloids in the throat of the interface, one beside a grain, and none injected.
+TEST(Run, StartsWithTheBodiesOfTheScene) {
+  const std::string text = R"({"geometry": {"preset": "throat", "bodies": [
+      {"center": ["48 um", "49 um", "100 um"], "diameter": "13.3 um"},
+      {"center": ["48.3 um", "13.35 um", "72.45 um"], "diameter": "13.3 um"}]},
+    "colloids": {"diameter": "13.3 um", "volume_fraction": 0},
+    "drive": {"inlet_velocity": "0.5 mm/s"}, "duration": "0.4 s",
+    "fidelity": {"tier": "one_way", "cells_per_colloid": 4}})";
+  const std::string scene = write_temporary("bodies.json", text);
+  const std::string result = temporary("bodies.h5");
+  const Outcome outcome = run_program("run " + scene + " -o " + result + " --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json counts = Json::parse(outcome.out).at("counts");
+  EXPECT_EQ(counts.at("injected"), 2);
+  EXPECT_EQ(counts.at("traversed"), 1);
+  EXPECT_EQ(counts.at("mobile").get<int>() + counts.at("retained").get<int>(), 1);
+  EXPECT_EQ(run_python("contract/first_frame.py", result + " 48e-6,49e-6,100e-6 "
+                                                           "48.3e-6,13.35e-6,72.45e-6"),
+            0);
+
+  const Outcome listed =
+      run_program("describe --injections " + scene + " --seed 1 --json");
+  ASSERT_EQ(listed.exit_code, 0) << listed.err;
+  const Json injections = Json::parse(listed.out).at("injections");
+  ASSERT_EQ(injections.size(), 2U);
+  EXPECT_EQ(injections[1].at("index"), 1);
+  EXPECT_EQ(injections[1].at("time_s"), 0.0);
+  EXPECT_EQ(injections[1].at("position_m"), Json({48.3e-6, 13.35e-6, 72.45e-6}));
+}
+
 TEST(Run, ShowsProgress) {
   const std::string scene = write_temporary("progress.json", clogging_scene("0.2 s"));
   const Outcome outcome =

@@ -34,8 +34,14 @@ InjectionList list_injections(const Scene& scene, std::uint64_t seed) {
                       "a list",
                       shortest(list.duration), expected, kLongestList));
   const double end = list.inlet.flow_rate * list.duration;
+  for (const Body& body : scene.geometry.bodies) {
+    list.colloids.push_back(
+        {static_cast<int>(list.colloids.size()), 0.0, body.sphere.center});
+  }
+  const int present = static_cast<int>(list.colloids.size());
   for (int i = 0; sequence.at(i).volume <= end; ++i) {
     list.colloids.push_back(sequence.at(i));
+    list.colloids.back().index += present;
   }
   return list;
 }
@@ -44,7 +50,7 @@ InjectionList list_injections(const Scene& scene, std::uint64_t seed) {
 
 InjectionList list_injections(const std::string& path, std::uint64_t seed) {
   const SceneFile file = read_scene(path);
-  refuse_bodies(file);
+  check_starting_colloids(file);
   try {
     return list_injections(file.scene, seed);
   } catch (const InputError& error) {

@@ -17,7 +17,8 @@ struct InjectionList {
   CleanInlet inlet;
   double inlet_area = 0.0;  ///< [m^2]
   double mean_rate = 0.0;   ///< phi Q / V_p [1/s]
-  std::vector<InjectedColloid> colloids;
+  std::vector<InjectedColloid>
+      colloids;  ///< after those that are there from the beginning
 
   /// As if the pore stayed clean: volume over its flow rate [s].
   double time_of(const InjectedColloid& colloid) const {

@@ -176,7 +176,7 @@ class Run : public Command {
 
   int run() const override {
     const SceneFile file = read_scene(scene_);
-    refuse_bodies(file);
+    check_starting_colloids(file);
     const TierDecision decision = choose_tier(file.scene);
     RunOptions options;
     options.seed = parse_seed(seed_, "--seed");

@@ -104,9 +104,10 @@ struct Frame {
   std::vector<ColloidRecord> colloids;
 };
 
-/// One colloid of the injection sequence.
+/// One colloid that was there from the beginning, or of the injection sequence after
+/// them.
 struct InjectionRecord {
-  long index = 0;       ///< from 0
+  long index = 0;       ///< from 0, the id of the colloid
   double volume = 0.0;  ///< suspension injected before it [m^3]
   double time = 0.0;    ///< when it entered [s]; NaN: it did not
   Vec3 position;        ///< where it entered [m]

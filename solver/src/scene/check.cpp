@@ -123,8 +123,10 @@ void check_spheres(const Geometry& geometry) {
 
 void check_bodies(const Geometry& geometry, const Fidelity& fidelity) {
   const std::vector<Body>& bodies = geometry.bodies;
-  require(bodies.empty() || fidelity.tier != TierChoice::one_way, "/fidelity/tier",
-          "is one_way, but /geometry/bodies need quasi_steady or transient");
+  const bool driven = std::any_of(bodies.begin(), bodies.end(), is_driven);
+  require(!driven || fidelity.tier != TierChoice::one_way, "/fidelity/tier",
+          "is one_way, but /geometry/bodies with a force, torque or velocity need "
+          "quasi_steady or transient");
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::string where = fmt::format("/geometry/bodies/{}", i);
     const Sphere& body = bodies[i].sphere;

@@ -96,8 +96,10 @@ void declare(Fields& f, Geometry& g) {
                "CSV table of more fixed grains (x_m, y_m, z_m, diameter_m), relative to "
                "the scene file"}),
       g.spheres_file);
-  f.list({"bodies", "rigid balls that move; they need tier quasi_steady or transient"},
-         g.bodies);
+  f.list(
+      {"bodies",
+       "rigid balls that move: measured, or colloids that are there when a run begins"},
+      g.bodies);
 }
 
 void declare(Fields& f, Fluid& fluid) {

@@ -1,5 +1,6 @@
 #include "scene/read_scene.h"
 
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -85,12 +86,23 @@ SceneFile read_scene(const std::string& path) {
   return parse_scene(read_text_file(path), path);
 }
 
-void refuse_bodies(const SceneFile& file) {
-  if (!file.scene.geometry.bodies.empty()) {
-    file.refuse(
-        "/geometry/bodies",
-        "are measured (poreclog-solve measure); the tiers quasi_steady and one_way do "
-        "not start with bodies yet; expected none");
+void check_starting_colloids(const SceneFile& file) {
+  const std::vector<Body>& bodies = file.scene.geometry.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const std::string at = fmt::format("/geometry/bodies/{}", b);
+    if (is_driven(bodies[b])) {
+      file.refuse(at,
+                  "is moved by a force, torque or velocity of its own, which can be "
+                  "measured (poreclog-solve measure); a run starts with free colloids");
+    }
+    const double own = 2.0 * bodies[b].sphere.radius;
+    const double diameter = file.scene.colloids ? file.scene.colloids->diameter : own;
+    if (std::abs(own - diameter) > 1e-9 * diameter) {
+      file.refuse(at + "/diameter",
+                  fmt::format("is {} m, but a run starts with colloids of "
+                              "/colloids/diameter, {} m",
+                              shortest(own), shortest(diameter)));
+    }
   }
 }
 

@@ -27,8 +27,9 @@ SceneFile read_scene(const std::string& path);
 /// The same for JSON text; `path` names it in messages and anchors spheres_file.
 SceneFile parse_scene(std::string text, const std::string& path);
 
-/// Refuses a scene with bodies, on behalf of tiers that cannot move them.
-void refuse_bodies(const SceneFile& file);
+/// Refuses bodies with which a run cannot start: it takes them for colloids that are
+/// there from the beginning.
+void check_starting_colloids(const SceneFile& file);
 
 /// The scene with every default spelled out, quantities in SI with all digits, spheres of
 /// spheres_file listed: reading it gives the same scene, bit for bit.

@@ -60,6 +60,7 @@ bool grains_cross(const Geometry& geometry, int face) {
 
 double solved_flow_rate(Scene scene) {
   scene.fidelity = Fidelity{};
+  scene.geometry.bodies.clear();
   const Vec3 size = scene.geometry.box.size;
   const double spacing =
       std::max(scene.colloids->diameter / scene.fidelity.cells_per_colloid,

@@ -60,6 +60,7 @@ TimeLoop::TimeLoop(const Scene& scene, const RunOptions& options, const LoopPart
   r.tier_reason = options.tier_reason + "; " + parts.validity;
   first_permeability_ = parts.flow.permeability();
   observe({}, false);
+  begin_with_bodies();
   const PairContact& grain = parts.contacts.grain;
   if (parts.brownian && !parts.contacts.rules.grains_attach &&
       grain.analysis.primary_minimum) {
@@ -72,6 +73,17 @@ TimeLoop::TimeLoop(const Scene& scene, const RunOptions& options, const LoopPart
       escape_rates_.emplace_back(push, 1.0 / time);
     }
   }
+}
+
+// The first ids are those of the colloids that are there from the beginning.
+void TimeLoop::begin_with_bodies() {
+  for (const Body& body : scene_.geometry.bodies) {
+    const int id = static_cast<int>(state_.bodies.size());
+    const Vec3& place = body.sphere.center;
+    state_.bodies.push_back(single({id, 0.0, place}, place));
+    state_.realisation.injections.push_back({id, 0.0, 0.0, place});
+  }
+  first_injected_ = static_cast<int>(state_.bodies.size());
 }
 
 std::optional<Realisation> TimeLoop::run() {
@@ -245,7 +257,7 @@ void TimeLoop::inject_due() {
   const int index = state_.next_injection++;
   const InjectedColloid& colloid = sequence_.at(index);
   state_.realisation.injections.push_back(
-      {index, colloid.volume, kNotYet, colloid.position});
+      {first_injected_ + index, colloid.volume, kNotYet, colloid.position});
   if (!inject(index)) {
     state_.delayed.push_back(index);
     ++state_.times_delayed;
@@ -273,11 +285,12 @@ bool TimeLoop::inject(int index) {
     }
   }
   MobileColloid mobile;
-  mobile.id = index;
+  mobile.id = first_injected_ + index;
   mobile.injection_time = state_.time;
   mobile.injection_position = colloid.position;
   state_.bodies.push_back(single(mobile, colloid.position));
-  state_.realisation.injections.at(static_cast<std::size_t>(index)).time = state_.time;
+  state_.realisation.injections.at(static_cast<std::size_t>(mobile.id)).time =
+      state_.time;
   integrator_.refresh(state_.bodies);
   return true;
 }
@@ -604,7 +617,7 @@ SeriesRow TimeLoop::series_row() const {
   row.critical_diameter = critical_.value;
   row.permeability = parts_.flow.permeability();
   row.permeability_ratio = row.permeability / first_permeability_;
-  row.injected = state_.next_injection;
+  row.injected = first_injected_ + state_.next_injection;
   row.delayed = static_cast<long>(state_.delayed.size());
   for (const RigidBody& body : state_.bodies) {
     row.mobile += static_cast<long>(body.size());

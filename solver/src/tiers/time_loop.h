@@ -44,6 +44,7 @@ class TimeLoop {
   std::optional<Realisation> run();
 
  private:
+  void begin_with_bodies();
   void resume();
   void save();
   bool stopped();
@@ -80,6 +81,7 @@ class TimeLoop {
   CriticalDiameter critical_;
   std::vector<Sphere> spheres_;  ///< grains and deposit
   double first_permeability_ = 0.0;
+  int first_injected_ = 0;  ///< id of the first colloid that is injected
   std::vector<std::pair<double, double>> escape_rates_;  ///< push [N], rate [1/s]
   std::chrono::steady_clock::time_point last_checkpoint_;
   int idle_steps_ = 0;  ///< of no length, in a row

@@ -58,11 +58,28 @@ TEST(ReadScene, ReadsBodiesForTheTiersThatMoveThem) {
   EXPECT_FALSE(file.scene.colloids);
   EXPECT_FALSE(file.scene.drive.given());
   try {
-    refuse_bodies(file);
-    FAIL() << "bodies were not refused";
+    check_starting_colloids(file);
+    FAIL() << "a body with a force was not refused";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("line 5, column 5: /geometry/bodies: are measured"));
+    EXPECT_THAT(error.what(), HasSubstr("/geometry/bodies/0: is moved by a force"));
+  }
+}
+
+TEST(ReadScene, StartsARunWithColloidsOfOneSize) {
+  const auto start = [](const std::string& diameter) {
+    check_starting_colloids(parse_scene(R"({"geometry": {"preset": "throat", "bodies": [
+        {"center": ["48 um", "48 um", "130 um"], "diameter": ")" +
+                                            diameter + R"("}]},
+        "colloids": {"diameter": "13.3 um"}, "drive": {"inlet_velocity": "0.5 mm/s"}})",
+                                        "s.json"));
+  };
+  EXPECT_NO_THROW(start("13.3 um"));
+  try {
+    start("13 um");
+    FAIL() << "a colloid of another size was not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/geometry/bodies/0/diameter"));
+    EXPECT_THAT(error.what(), HasSubstr("1.33e-05"));
   }
 }
 
