@@ -10,9 +10,8 @@
 //     clock.
 //   - If this program is killed, the kernel kills the solver: nothing runs unwatched.
 //   - FOLDER/ending.json says how it ended; it is whole or absent.
-//   - With JOB, the name of a cluster's job, an attempt begins once: who makes
-//   FOLDER/lock
-//     has it, on whatever machine, also where a file system has no locks.
+//   - With JOB, the name of a cluster's job, an attempt begins once: who makes the file
+//     FOLDER/lock has it, on whatever machine, also where a file system has no locks.
 // It always ends with 0 unless it could not do this.  Without the C++ library's iostream
 // and without libraries, because it is started once per attempt.
 #include <array>
