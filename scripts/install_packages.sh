@@ -12,6 +12,7 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev python3-h5py python3-numpy
   clang-format-14 clang-tidy-14 libomp-14-dev gnuplot-nox
   chromium fonts-liberation
+  slurmctld slurmd slurm-client munge openmpi-bin libopenmpi-dev
 )
 
 missing=()

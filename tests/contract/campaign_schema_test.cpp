@@ -69,7 +69,7 @@ std::set<std::string> known_to_code(const std::string& section) {
 
 TEST(CampaignSchema, HasTheKeysOfTheCodeAndNoOthers) {
   const json schema = schema_json();
-  for (const std::string section : {"", "limits", "statistics"}) {
+  for (const std::string section : {"", "limits", "slurm", "statistics"}) {
     const json& object = section.empty() ? schema : schema["properties"][section];
     std::set<std::string> in_schema;
     for (const auto& [key, entry] : object["properties"].items()) {
@@ -109,6 +109,20 @@ TEST(CampaignSchema, JudgesAsTheCodeDoes) {
       {"limits", {{"workers", -1}}},
       {"limits", {{"seconds_per_realisation", 0}}},
       {"limits", {{"seconds_to_stop", "30 s"}}},
+      {"slurm", {{"partition", "main; id"}}},
+      {"slurm", {{"partition", "-p"}}},
+      {"slurm", {{"partition", ""}}},
+      {"slurm", {{"account", 3}}},
+      {"slurm", {{"memory_MiB", -1}}},
+      {"slurm", {{"realisations_per_task", 1.5}}},
+      {"slurm", {{"launcher", "sh"}}},
+      {"slurm", {{"options", "--qos=long"}}},
+      {"slurm", {{"options", {"--wrap=id"}}}},
+      {"slurm", {{"options", {"--qos=a b"}}}},
+      {"slurm", {{"options", {"--qosx"}}}},
+      {"slurm", {{"options", {"qos=long"}}}},
+      {"slurm", {{"options", {"--comment=$(id)"}}}},
+      {"slurm", {{"options", {3}}}},
       {"statistics", {{"confidence", 95}}},
       {"statistics", {{"bootstrap", 5}}},
       {"independent_points", 1},

@@ -1,4 +1,4 @@
-// poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP -- COMMAND...: keeps one attempt.
+// poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP [JOB] -- COMMAND...: keeps one attempt.
 //
 // It lies between the orchestrator (or a cluster's scheduler) and the solver, so that
 // what must not die with the orchestrator does not: the time limit, the record of how the
@@ -10,6 +10,8 @@
 //     clock.
 //   - If this program is killed, the kernel kills the solver: nothing runs unwatched.
 //   - FOLDER/ending.json says how it ended; it is whole or absent.
+//   - With JOB, the name of a cluster's job, an attempt begins once: who makes the file
+//     FOLDER/lock has it, on whatever machine, also where a file system has no locks.
 // It always ends with 0 unless it could not do this.  Without the C++ library's iostream
 // and without libraries, because it is started once per attempt.
 #include <array>
@@ -75,16 +77,19 @@ long kills_for_memory() {
 }
 
 /// Takes the lock; false if another has it, or if this attempt has been given up: who
-/// takes an attempt for lost holds the lock while it writes an ending.
-bool hold_lock() {
-  const int descriptor = ::open("lock", O_RDWR | O_CREAT, 0644);  // inherited on purpose
+/// takes an attempt for lost holds the lock while it writes an ending, or has made its
+/// file.
+bool hold_lock(const char* job) {
+  const int once = job == nullptr ? 0 : O_EXCL;
+  const int descriptor =
+      ::open("lock", O_RDWR | O_CREAT | once, 0644);  // inherited on purpose
   if (descriptor < 0) {
     return false;
   }
   struct flock request {};
   request.l_type = F_WRLCK;
   request.l_whence = SEEK_SET;
-  if (::fcntl(descriptor, F_OFD_SETLK, &request) != 0) {
+  if (::fcntl(descriptor, F_OFD_SETLK, &request) != 0 && job == nullptr) {
     return false;
   }
   if (::access("ending.json", F_OK) == 0) {
@@ -93,7 +98,8 @@ bool hold_lock() {
   }
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
-  return ::dprintf(descriptor, "%d %s\n", static_cast<int>(::getpid()), host.data()) > 0;
+  return ::dprintf(descriptor, "%d %s%s%s\n", static_cast<int>(::getpid()), host.data(),
+                   job == nullptr ? "" : " ", job == nullptr ? "" : job) > 0;
 }
 
 void redirect(const char* path, int to) {
@@ -146,6 +152,14 @@ Ending keep(pid_t solver, const sigset_t& signals, double limit, double grace) {
     }
   }
   ::kill(-solver, SIGKILL);  // what it may have left running
+  // A scheduler tells the solver and us at once: it may have been the quicker.
+  const timespec no_time{};
+  for (int signal = 0; signal >= 0 && ending.stopped == nullptr;) {
+    signal = ::sigtimedwait(&signals, nullptr, &no_time);
+    if (signal == SIGTERM || signal == SIGINT || signal == SIGQUIT) {
+      ending.stopped = "asked";
+    }
+  }
   ending.seconds = seconds_since(start);
   return ending;
 }
@@ -189,9 +203,12 @@ bool write_ending(const Ending& ending, const timespec& started) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 6 || std::strcmp(argv[4], "--") != 0) {
-    std::fprintf(
-        stderr, "usage: poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP -- COMMAND...\n");
+  const bool in_job = argc > 5 && std::strcmp(argv[5], "--") == 0;
+  const int dashes = in_job ? 5 : 4;
+  if (argc < dashes + 2 || std::strcmp(argv[dashes], "--") != 0) {
+    std::fprintf(stderr,
+                 "usage: poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP [JOB] -- "
+                 "COMMAND...\n");
     return 1;
   }
   sigset_t signals{};
@@ -200,7 +217,7 @@ int main(int argc, char** argv) {
     ::sigaddset(&signals, signal);
   }
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  if (::chdir(argv[1]) != 0 || !hold_lock()) {
+  if (::chdir(argv[1]) != 0 || !hold_lock(in_job ? argv[4] : nullptr)) {
     std::fprintf(stderr, "poreclog-attempt: %s: cannot be used: %s\n", argv[1],
                  std::strerror(errno));
     return 1;
@@ -211,7 +228,7 @@ int main(int argc, char** argv) {
   const long kills_before = kills_for_memory();
   const pid_t solver = ::fork();
   if (solver == 0) {
-    become(argv + 5, signals);
+    become(argv + dashes + 1, signals);
   }
   if (solver < 0) {
     std::fprintf(stderr, "cannot be started: %s\n", std::strerror(errno));

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/slurm_options.h"
+
 namespace colloid {
 
 /// What one realisation may cost, and how hard it is tried.
@@ -32,6 +34,7 @@ struct Campaign {
   std::string executor = "local";
   int ranks = 1;  ///< processes of one realisation
   Limits limits;
+  SlurmOptions slurm;
   nlohmann::json statistics;  ///< options of the statistics
 
   std::string path;  ///< the file it came from

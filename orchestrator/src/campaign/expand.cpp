@@ -160,6 +160,7 @@ Plan expand(const Campaign& campaign, const SolverProgram& solver) {
             campaign.executor,
             campaign.ranks,
             campaign.limits,
+            campaign.slurm,
             campaign.statistics,
             {},
             {}};

@@ -44,6 +44,7 @@ Plan plan_from(const json& value) {
   value.at("executor").get_to(plan.executor);
   value.at("ranks").get_to(plan.ranks);
   plan.limits = limits_from(value.at("limits"));
+  plan.slurm = read_slurm_options(value.value("slurm", json::object()), "/slurm");
   plan.statistics = value.at("statistics");
   for (const json& point : value.at("points")) {
     plan.points.push_back({point.at("number").get<int>(),
@@ -94,6 +95,7 @@ json to_json(const Plan& plan) {
           {"executor", plan.executor},
           {"ranks", plan.ranks},
           {"limits", limits_json(plan.limits)},
+          {"slurm", to_json(plan.slurm)},
           {"statistics", plan.statistics},
           {"points", points},
           {"ensembles", ensembles}};

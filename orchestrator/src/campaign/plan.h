@@ -38,6 +38,7 @@ struct Plan {  // NOLINT(bugprone-exception-escape): as above
   std::string executor;
   int ranks = 1;
   Limits limits;
+  SlurmOptions slurm;
   nlohmann::json statistics;
   std::vector<DesignPoint> points;
   std::vector<Ensemble> ensembles;

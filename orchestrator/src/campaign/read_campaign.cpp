@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 const std::vector<std::string> kTiers{"auto", "one_way", "quasi_steady", "transient"};
-const std::vector<std::string> kExecutors{"local"};
+const std::vector<std::string> kExecutors{"local", "slurm"};
 constexpr int kMostRealisations = 10'000'000;
 constexpr std::size_t kMostPoints = 10'000;
 
@@ -159,6 +159,9 @@ void read_keys(const json& root, Campaign& campaign) {
   read.integer("ranks", 1, 4096, campaign.ranks);
   if (const json* limits = read.find("limits")) {
     read_limits(*limits, campaign.limits);
+  }
+  if (const json* slurm = read.find("slurm")) {
+    campaign.slurm = read_slurm_options(*slurm, "/slurm");
   }
   campaign.statistics = json::object();
   if (const json* statistics = read.find("statistics")) {

@@ -89,7 +89,10 @@ std::vector<std::string> SolverProgram::run_command(
   std::vector<std::string> words;
   std::string program = path_;
   if (plan.ensembles[item.ensemble].tier == "transient") {
-    words = {"mpirun", "-n", std::to_string(plan.ranks)};
+    words = plan.executor == "slurm" && plan.slurm.launcher == "srun"
+                ? std::vector<std::string>{"srun", "--mpi=pmix", "--kill-on-bad-exit=1",
+                                           "-n", std::to_string(plan.ranks)}
+                : std::vector<std::string>{"mpirun", "-n", std::to_string(plan.ranks)};
     program += "-transient";
   }
   words.insert(words.end(), {program, "run", scene_file, "-o", result_file, "--seed",

@@ -26,45 +26,65 @@ long& of(std::array<long, 5>& counts, Status status) {
 
 CampaignRun::CampaignRun(const Plan& plan, const RunFolder& folder,
                          const SolverProgram& solver, Store& store, Executor& executor,
-                         const Signals& signals)
+                         const Signals& signals, AttemptWatch* watch)
     : plan_(plan),
       folder_(folder),
       solver_(solver),
       store_(store),
       executor_(executor),
       signals_(signals),
-      ingester_(store, folder, plan),
+      ingester_(store, folder, plan, watch),
       counts_(store.count()),
       progress_(static_cast<long>(plan.ensembles.size()) * plan.realisations,
                 of(counts_, Status::ingested)) {}
 
 int CampaignRun::run() {
   try {
-    adopt(ingester_.catch_up());
-    counts_ = store_.count();
+    begin();
     start();
     while (!active_.empty() || !ended_.empty()) {
-      if (!is_record_due()) {
-        wait_for_event();
-      }
-      for (const std::int64_t id : executor_.poll()) {
-        note_end(id);
-      }
-      start();
       if (is_record_due()) {
         record();
-        start();
+      } else {
+        wait_for_event();
+        if (leaves_) {
+          break;
+        }
+        for (const std::int64_t id : executor_.poll()) {
+          note_end(id);
+        }
       }
+      start();
       progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed),
                      static_cast<long>(active_.size()));
     }
+    record();
     store_.refresh_curves();
   } catch (const StorageError&) {
-    drain_after_failure();
+    if (!executor_.outlasts_caller()) {
+      drain_after_failure();
+    }
     throw;
   }
-  progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed), 0, true);
+  progress_.show(of(counts_, Status::ingested), of(counts_, Status::failed),
+                 static_cast<long>(active_.size()), true);
   return exit_code();
+}
+
+int CampaignRun::launch() {
+  begin();
+  start();
+  record();
+  if (stops_ == 0) {
+    why_stopped_ = executor_.limited_by();
+  }
+  store_.refresh_curves();
+  return exit_code();
+}
+
+void CampaignRun::begin() {
+  adopt(ingester_.catch_up());
+  counts_ = store_.count();
 }
 
 void CampaignRun::adopt(const std::vector<AttemptOf>& running) {
@@ -80,12 +100,15 @@ void CampaignRun::adopt(const std::vector<AttemptOf>& running) {
 }
 
 void CampaignRun::start() {
-  std::vector<Job> jobs;
   Item item;
-  while (stops_ == 0 && jobs.size() < executor_.free_slots() && next(item)) {
-    jobs.push_back(prepare(item));
-  }
-  if (!jobs.empty()) {
+  while (stops_ == 0) {
+    std::vector<Job> jobs;
+    for (std::size_t free = executor_.free_slots(); jobs.size() < free && next(item);) {
+      jobs.push_back(prepare(item));
+    }
+    if (jobs.empty()) {
+      return;
+    }
     executor_.submit(jobs);
   }
 }
@@ -104,17 +127,23 @@ void CampaignRun::note_end(std::int64_t id) {
 }
 
 bool CampaignRun::is_record_due() const {
-  // Failures at once: there may be something to try again, or to stop for.
+  // Failures at once: there may be something to try again, or to stop for.  And what
+  // comes from a scheduler: it is asked seldom, and tells of many jobs together.
   return one_failed_ || ended_.size() >= kTogether ||
          (active_.empty() && !ended_.empty()) ||
          ((!begun_.empty() || !ended_.empty()) &&
-          monotonic_seconds() - first_change_ >= kLongestLag);
+          (executor_.outlasts_caller() ||
+           monotonic_seconds() - first_change_ >= kLongestLag));
 }
 
 void CampaignRun::record() {
   Batch batch(store_);
+  std::size_t count = 0;
   for (const AttemptOf& attempt : ended_) {
     settle(attempt);
+    if (++count % kTogether == 0) {
+      batch.commit();  // other campaigns need not wait for thousands
+    }
   }
   for (const auto& [id, attempt] : begun_) {
     const Item& item = active_.at(id).item;
@@ -198,11 +227,24 @@ void CampaignRun::wait_for_event() {
   if (!begun_.empty() || !ended_.empty()) {
     patience = std::min(patience, first_change_ + kLongestLag - monotonic_seconds());
   }
-  if (signals_.wait(patience) != Signals::Event::stop) {
+  const double end = monotonic_seconds() + patience;
+  Signals::Event event = signals_.wait(patience);
+  while (event == Signals::Event::child && executor_.outlasts_caller()) {
+    // It was the child with which the executor asked its scheduler.
+    event = signals_.wait(end - monotonic_seconds());
+  }
+  if (event != Signals::Event::stop) {
     return;
   }
   ++stops_;
   why_stopped_ = "interrupted";
+  if (executor_.outlasts_caller()) {
+    leaves_ = true;
+    fmt::print(stderr,
+               "\nleaving: the jobs go on without this program; `poreclog resume` goes "
+               "on, `poreclog cancel` stops them\n");
+    return;
+  }
   fmt::print(stderr, "\n{}\n",
              stops_ == 1 ? "stopping: the running realisations write checkpoints (once "
                            "more to stop at once)"

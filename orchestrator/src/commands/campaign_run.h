@@ -25,11 +25,15 @@ namespace colloid {
 class CampaignRun {
  public:
   CampaignRun(const Plan& plan, const RunFolder& folder, const SolverProgram& solver,
-              Store& store, Executor& executor, const Signals& signals);
+              Store& store, Executor& executor, const Signals& signals,
+              AttemptWatch* watch);
 
   /// Takes over what is running, starts what is eligible, ingests what ends, until
   /// nothing is left or somebody stops it.  Returns an ExitCode.
   int run();
+
+  /// The same without waiting for anything: for an executor whose jobs outlast us.
+  int launch();
 
   /// Why it stopped early; empty if it did not.
   const std::string& why_stopped() const { return why_stopped_; }
@@ -38,6 +42,8 @@ class CampaignRun {
   /// The next realisation to start: retries first, then by index, so that all design
   /// points advance together and what is finished is a prefix of every ensemble.
   bool next(Item& item);
+  /// Takes over what an earlier process left behind.
+  void begin();
   /// Starts what there is room for.
   void start();
   /// Claims the folder of a realisation's next attempt and describes its job.
@@ -71,7 +77,8 @@ class CampaignRun {
   std::deque<Item> retries_;
   Item cursor_;
   std::int64_t last_id_ = 0;
-  int stops_ = 0;  ///< how often somebody asked us to stop
+  int stops_ = 0;        ///< how often somebody asked us to stop
+  bool leaves_ = false;  ///< the jobs, which go on
   std::string why_stopped_;
 };
 

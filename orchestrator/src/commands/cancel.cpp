@@ -11,12 +11,16 @@
 #include "base/files.h"
 #include "base/signals.h"
 #include "campaign/run_folder.h"
+#include "commands/campaign_lock.h"
 #include "commands/open_campaign.h"
+#include "commands/slurm_campaign.h"
 #include "execute/local_executor.h"
 
 namespace colloid {
 
 namespace {
+
+constexpr double kPatience = 60.0;  // [s] for Slurm to end jobs
 
 class Cancel : public Command {
  public:
@@ -46,13 +50,15 @@ class Cancel : public Command {
       }
       wait_until_free(signals, plan, folder.lock_file());
     }
+    const long jobs = has_slurm_jobs(plan, folder) ? stop_jobs(signals, plan, folder) : 0;
     const long orphans = stop_orphans(plan, folder);
     const nlohmann::ordered_json out{{"schema_version", 1},
                                      {"campaign", plan.campaign},
                                      {"was_running", was_running},
-                                     {"orphans_stopped", orphans}};
+                                     {"orphans_stopped", orphans},
+                                     {"tasks_stopped", jobs}};
     std::cout << (common_.json ? out.dump(2) + "\n"
-                  : was_running || orphans > 0
+                  : was_running || orphans > 0 || jobs > 0
                       ? fmt::format("{}: stopped; `poreclog resume {}` goes on\n",
                                     plan.campaign, plan.campaign)
                       : fmt::format("{}: nothing is running\n", plan.campaign));
@@ -76,6 +82,32 @@ class Cancel : public Command {
         throw StorageError(lock_file + " is still held: it has not stopped");
       }
     }
+  }
+
+  /// Ends the campaign's jobs on Slurm, and waits until nothing of them runs.  Returns
+  /// how many tasks there were.
+  long stop_jobs(const Signals& signals, const Plan& plan,
+                 const RunFolder& folder) const {
+    const FileLock lock = lock_campaign(folder);
+    SlurmCampaign slurm(plan, folder);
+    const SlurmJobs::Counts before = slurm.jobs().counts();
+    const double patience = monotonic_seconds() + plan.limits.seconds_to_stop + kPatience;
+    slurm.jobs().cancel(now_ ? Stop::at_once : Stop::politely);
+    for (SlurmJobs::Counts left = before;
+         !slurm.jobs().answered() || left.waiting + left.running + left.unknown > 0;) {
+      if (monotonic_seconds() > patience || signals.wait(0.5) == Signals::Event::stop) {
+        throw StorageError(fmt::format(
+            "{} tasks are still with Slurm{}; `poreclog cancel` again goes on",
+            left.waiting + left.running + left.unknown,
+            slurm.jobs().answered() ? "" : ", which does not answer"));
+      }
+      slurm.jobs().refresh();
+      slurm.jobs().cancel(Stop::politely);  // also what the answer was lost of
+      left = slurm.jobs().counts();
+    }
+    Store store(absolute(common_.database), plan, folder.path());
+    slurm.fold_in(store, folder, plan);
+    return before.waiting + before.running + before.unknown;
   }
 
   /// Attempts that a killed orchestrator left running.

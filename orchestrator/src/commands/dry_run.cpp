@@ -1,11 +1,14 @@
 #include "commands/dry_run.h"
 
 #include <algorithm>
+#include <memory>
 
 #include <fmt/format.h>
 
 #include "base/file_lock.h"
 #include "base/files.h"
+#include "commands/slurm_campaign.h"
+#include "commands/slurm_plan.h"
 #include "ingest/prospect.h"
 
 namespace colloid {
@@ -43,13 +46,17 @@ std::string ranges_text(const Json& ranges) {
 
 Json dry_run(const Plan& plan, const CommonOptions& options) {
   const RunFolder folder(options.runs, plan.campaign);
+  const auto slurm = plan.executor == "slurm"
+                         ? std::make_unique<SlurmCampaign>(
+                               plan, folder, SlurmCampaign::Access::read_only)
+                         : nullptr;
   Json ensembles = Json::array();
   long to_run = 0;
   for (std::size_t e = 0; e < plan.ensembles.size(); ++e) {
     const Ensemble& ensemble = plan.ensembles[e];
     Json classes = Json::array();
-    for (const Prospect& prospect :
-         prospects(plan, e, folder, absolute(options.database))) {
+    for (const Prospect& prospect : prospects(plan, e, folder, absolute(options.database),
+                                              slurm ? &slurm->jobs() : nullptr)) {
       to_run += prospect.action == "run" ? prospect.count : 0;
       classes.push_back(class_json(prospect));
     }
@@ -61,14 +68,19 @@ Json dry_run(const Plan& plan, const CommonOptions& options) {
                          {"varied", point->values},
                          {"classes", classes}});
   }
-  return {{"schema_version", 1},
-          {"campaign", plan.campaign},
-          {"dry_run", true},
-          {"executor", plan.executor},
-          {"running", FileLock::is_held(folder.lock_file())},
-          {"realisations", static_cast<long>(plan.ensembles.size()) * plan.realisations},
-          {"to_run", to_run},
-          {"ensembles", ensembles}};
+  Json answer{
+      {"schema_version", 1},
+      {"campaign", plan.campaign},
+      {"dry_run", true},
+      {"executor", plan.executor},
+      {"running", FileLock::is_held(folder.lock_file())},
+      {"realisations", static_cast<long>(plan.ensembles.size()) * plan.realisations},
+      {"to_run", to_run},
+      {"ensembles", ensembles}};
+  if (slurm) {
+    answer["slurm"] = slurm_plan(plan, folder, slurm->client(), to_run);
+  }
+  return answer;
 }
 
 std::string dry_run_text(const Json& answer) {
@@ -85,6 +97,9 @@ std::string dry_run_text(const Json& answer) {
                           one["count"].get<long>(), one["text"].get<std::string>(),
                           ranges_text(one["indices"]));
     }
+  }
+  if (answer.contains("slurm")) {
+    text += slurm_plan_text(answer["slurm"]);
   }
   return text;
 }

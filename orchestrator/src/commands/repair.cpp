@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "campaign/run_folder.h"
 #include "commands/open_campaign.h"
+#include "commands/slurm_campaign.h"
 #include "ingest/ingester.h"
 #include "store/query.h"
 #include "store/store.h"
@@ -70,7 +71,10 @@ class Repair : public Command {
   static nlohmann::ordered_json rebuild(const std::string& part, const RunFolder& folder,
                                         const Plan& plan) {
     Store store(part, plan, folder.path());
-    Ingester ingester(store, folder, plan);
+    const auto slurm = has_slurm_jobs(plan, folder)
+                           ? std::make_unique<SlurmCampaign>(plan, folder)
+                           : nullptr;
+    Ingester ingester(store, folder, plan, slurm ? &slurm->jobs() : nullptr);
     const std::size_t running = ingester.catch_up().size();
     store.refresh_curves();
     const std::array<long, 5> counts = store.count();

@@ -1,7 +1,6 @@
 #include "commands/run_commands.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <thread>
 
@@ -9,54 +8,21 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "base/clock.h"
 #include "base/error.h"
-#include "base/file_lock.h"
 #include "base/files.h"
 #include "base/signals.h"
+#include "commands/campaign_lock.h"
 #include "commands/campaign_run.h"
 #include "commands/dry_run.h"
 #include "commands/open_campaign.h"
+#include "commands/slurm_campaign.h"
 #include "commands/write_report.h"
 #include "execute/local_executor.h"
+#include "execute/slurm_executor.h"
 
 namespace colloid {
 
 namespace {
-
-constexpr std::chrono::milliseconds kLockWait{20};
-constexpr int kLockWaits = 50;
-
-/// A child that a killed orchestrator had just forked holds its lock until it executes.
-std::optional<FileLock> take_patiently(const std::string& path,
-                                       const std::string& holder) {
-  for (int wait = 0; wait < kLockWaits; ++wait) {
-    if (auto lock = FileLock::take(path, holder)) {
-      return lock;
-    }
-    std::this_thread::sleep_for(kLockWait);
-  }
-  return FileLock::take(path, holder);
-}
-
-/// Takes the campaign's lock; refuses if another orchestrator has it.
-FileLock lock_campaign(const RunFolder& folder) {
-  const std::string holder =
-      fmt::format("{} {} {}\n", ::getpid(), host_name(), utc_now());
-  auto lock = take_patiently(folder.lock_file(), holder);
-  if (!lock) {
-    std::string other = read_if_there(folder.lock_file()).value_or("");
-    other = other.substr(0, other.find('\n'));
-    throw InputError(folder.path(),
-                     fmt::format("another poreclog is at work on this campaign (process, "
-                                 "machine, since: {}); `poreclog cancel` stops it",
-                                 other));
-  }
-  if (!lock->left_behind().empty()) {
-    fmt::print(stderr, "the last poreclog on this campaign was killed; going on\n");
-  }
-  return std::move(*lock);
-}
 
 int workers_of(const Plan& plan) {
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -96,13 +62,37 @@ std::string outcome_text(const nlohmann::ordered_json& outcome) {
       text += fmt::format(", {} {}", outcome[key].get<long>(), key);
     }
   }
+  if (outcome.contains("slurm") && outcome["active"].get<long>() > 0) {
+    text += fmt::format("; on Slurm {} tasks wait, {} run",
+                        outcome["slurm"]["tasks_waiting"].get<long>(),
+                        outcome["slurm"]["tasks_running"].get<long>());
+  }
   if (!outcome["stopped"].is_null()) {
     text += "; " + outcome["stopped"].get<std::string>();
   }
   return text + "\n";
 }
 
-/// What the four commands have in common: from a plan to its realisations' ends.
+long left_to_run(const Plan& plan, const Store& store) {
+  const std::array<long, 5> counts = store.count();
+  return static_cast<long>(plan.ensembles.size()) * plan.realisations -
+         counts.at(static_cast<std::size_t>(Status::ingested)) -
+         counts.at(static_cast<std::size_t>(Status::failed));
+}
+
+/// The one place where it is decided what runs a campaign's attempts.  `slurm`: null if
+/// nothing of the campaign is or goes there.
+std::unique_ptr<Executor> make_executor(const Plan& plan, const Store& store,
+                                        SlurmCampaign* slurm) {
+  if (slurm == nullptr) {
+    return std::make_unique<LocalExecutor>(workers_of(plan), find_keeper());
+  }
+  return std::make_unique<SlurmExecutor>(plan, slurm->client(), slurm->journal(),
+                                         slurm->jobs(), find_keeper(),
+                                         left_to_run(plan, store));
+}
+
+/// What these commands have in common: from a plan to its realisations' ends.
 class WorkCommand : public Command {
  public:
   void declare_options(CLI::App& app) override {
@@ -112,6 +102,11 @@ class WorkCommand : public Command {
                    "Realisations at once (default: the campaign's)")
         ->envname("PORECLOG_WORKERS")
         ->check(CLI::Range(1, 4096));
+    app.add_option("--executor", executor_,
+                   "Where realisations run: local or slurm (default: the campaign's)")
+        ->envname("PORECLOG_EXECUTOR")
+        ->check(CLI::IsMember({"local", "slurm"}));
+    app.add_flag("--wait", wait_, "With Slurm: stay until all realisations have ended");
     app.add_option("--output", output_,
                    "Folder for report.html and statistics.json (default: "
                    "results/reports/<campaign>)")
@@ -126,28 +121,47 @@ class WorkCommand : public Command {
     OpenedCampaign opened = open_campaign(campaign_, common_);
     Plan& plan = opened.plan;
     change(opened);
+    if (!executor_.empty()) {
+      plan.executor = executor_;
+    }
     if (workers_ > 0) {
       plan.limits.workers = workers_;
     }
+    const RunFolder folder(common_.runs, plan.campaign);
+    const bool to_slurm = plan.executor == "slurm";
+    require(to_slurm || !has_slurm_jobs(plan, folder), "--executor",
+            "is local, but jobs of this campaign are on Slurm: go on with --executor "
+            "slurm, or `poreclog cancel` them first");
     if (dry_run_) {
       const nlohmann::ordered_json answer = dry_run(plan, common_);
       std::cout << (common_.json ? answer.dump(2) + "\n" : dry_run_text(answer));
       return exit_done;
     }
     const SolverProgram solver = SolverProgram::find(common_.solver);
-    const RunFolder folder(common_.runs, plan.campaign);
     const std::string database = absolute(common_.database);
     make_places(folder, database);
     const FileLock lock = lock_campaign(folder);
     folder.write_plan(plan);
     Store store(database, plan, folder.path());
     prepare(plan, store, folder);
-    LocalExecutor executor(workers_of(plan), find_keeper());
-    CampaignRun campaign(plan, folder, solver, store, executor, signals);
-    const int exit_code = campaign.run();
+    const auto slurm = to_slurm ? std::make_unique<SlurmCampaign>(plan, folder) : nullptr;
+    const std::unique_ptr<Executor> executor = make_executor(plan, store, slurm.get());
+    CampaignRun campaign(plan, folder, solver, store, *executor, signals,
+                         slurm ? &slurm->jobs() : nullptr);
+    int exit_code = 0;
+    if (to_slurm && !wait_ && !waits_for_slurm()) {
+      exit_code = left_with_slurm(campaign.launch(), store);
+      slurm->jobs().close_ended();
+    } else {
+      exit_code = campaign.run();
+    }
     auto outcome = outcome_json(plan, folder, store, exit_code, campaign.why_stopped());
+    if (slurm) {
+      outcome["slurm"] = slurm->counts();
+    }
     std::string text = outcome_text(outcome);
-    const bool has_ended = exit_code == exit_done || exit_code == exit_failures;
+    const bool has_ended = (exit_code == exit_done || exit_code == exit_failures) &&
+                           outcome["active"].get<long>() == 0;
     if (has_ended && !no_report_ && outcome["ingested"].get<long>() > 0) {
       const WrittenReport report = write_report(plan, common_, output_);
       outcome["report"] = report.page;
@@ -167,10 +181,17 @@ class WorkCommand : public Command {
   /// Changes the standing of realisations before the run.
   virtual void prepare(const Plan&, Store&, const RunFolder&) {}
 
+  /// Does the command stay until a campaign's jobs on Slurm have ended?
+  virtual bool waits_for_slurm() const { return false; }
+  /// The ExitCode if it does not stay, and would have returned `exit_code`.
+  virtual int left_with_slurm(int exit_code, const Store&) const { return exit_code; }
+
   const CommonOptions& common() const { return common_; }
+  void choose_executor(const std::string& name) { executor_ = name; }
   void declare_dry_run(CLI::App& app) {
     app.add_flag("--dry-run", dry_run_,
-                 "Print what would be run and why; run and write nothing");
+                 "Print what would be run and why, and for Slurm the command and the "
+                 "script; run and write nothing");
   }
 
  private:
@@ -189,7 +210,9 @@ class WorkCommand : public Command {
   CommonOptions common_;
   std::string campaign_;
   std::string output_;
+  std::string executor_;
   bool no_report_ = false;
+  bool wait_ = false;
   bool dry_run_ = false;
   int workers_ = 0;
 };
@@ -197,6 +220,20 @@ class WorkCommand : public Command {
 class Run : public WorkCommand {
  protected:
   void declare_more(CLI::App& app) override { declare_dry_run(app); }
+  bool waits_for_slurm() const override { return true; }
+};
+
+/// Hands a campaign to Slurm, whatever executor it names.
+class Submit : public WorkCommand {
+ protected:
+  void declare_more(CLI::App& app) override { declare_dry_run(app); }
+  void change(OpenedCampaign&) override { choose_executor("slurm"); }
+  int left_with_slurm(int exit_code, const Store& store) const override {
+    const std::array<long, 5> counts = store.count();
+    const bool all_sent = counts.at(static_cast<std::size_t>(Status::eligible)) == 0 &&
+                          counts.at(static_cast<std::size_t>(Status::unknown)) == 0;
+    return exit_code == exit_stopped && all_sent ? exit_done : exit_code;
+  }
 };
 
 class Resume : public WorkCommand {
@@ -207,6 +244,9 @@ class Resume : public WorkCommand {
             fmt::format("{} has not been run with --runs {}: there is nothing to resume; "
                         "`poreclog run` begins it",
                         opened.plan.campaign, common().runs));
+    // It goes on where it was, whatever its file says; --executor moves it.
+    const auto stored = RunFolder(common().runs, opened.plan.campaign).read_plan();
+    opened.plan.executor = stored ? stored->executor : opened.plan.executor;
   }
 };
 
@@ -280,6 +320,9 @@ class Extend : public Resume {
 
 std::unique_ptr<Command> make_run() {
   return std::make_unique<Run>();
+}
+std::unique_ptr<Command> make_submit() {
+  return std::make_unique<Submit>();
 }
 std::unique_ptr<Command> make_resume() {
   return std::make_unique<Resume>();

@@ -11,7 +11,9 @@
 #include "base/files.h"
 #include "base/signals.h"
 #include "campaign/run_folder.h"
+#include "commands/campaign_lock.h"
 #include "commands/open_campaign.h"
+#include "commands/slurm_campaign.h"
 #include "execute/local_executor.h"
 #include "ingest/attempt_folder.h"
 #include "store/database.h"
@@ -51,6 +53,8 @@ class StatusCommand : public Command {
  private:
   Json status_of(const Plan& plan) const {
     const RunFolder folder(common_.runs, plan.campaign);
+    const bool on_slurm = has_slurm_jobs(plan, folder);
+    nlohmann::ordered_json slurm = on_slurm ? fold_in(plan, folder) : Json();
     const bool running = FileLock::is_held(folder.lock_file());
     const Database database(absolute(common_.database), Database::Access::read_only);
     check_schema(database);
@@ -71,7 +75,7 @@ class StatusCommand : public Command {
                               "unknown", "censored", "clogged"}) {
         row[key] = ask.integer(column++);
       }
-      if (!running) {
+      if (!running && !on_slurm) {
         look_after_active(plan, folder, database, row);
       }
       for (auto& [key, sum] : total.items()) {
@@ -82,9 +86,25 @@ class StatusCommand : public Command {
     Statement incidents =
         database.prepare("SELECT count(*) FROM v_incident WHERE campaign = ?");
     incidents.bind(1, plan.campaign).step();
-    return {{"schema_version", 1}, {"campaign", plan.campaign},
-            {"running", running},  {"total", total},
-            {"points", points},    {"incidents", incidents.integer(0)}};
+    return {{"schema_version", 1},
+            {"campaign", plan.campaign},
+            {"running", running || total["active"].get<long>() > 0},
+            {"total", total},
+            {"points", points},
+            {"incidents", incidents.integer(0)},
+            {"slurm", slurm}};
+  }
+
+  /// Ingests what jobs have left so far, unless an orchestrator does that; where the
+  /// tasks are.
+  Json fold_in(const Plan& plan, const RunFolder& folder) const {
+    const auto lock = try_to_lock_campaign(folder);
+    SlurmCampaign slurm(plan, folder);
+    if (lock) {
+      Store store(absolute(common_.database), plan, folder.path());
+      slurm.fold_in(store, folder, plan);
+    }
+    return slurm.counts();
   }
 
   /// Without an orchestrator, what the database calls active may have ended since: the
@@ -132,6 +152,16 @@ class StatusCommand : public Command {
         out += fmt::format(" {:>9}", row[key].get<long>());
       }
       out += "  " + row["varied"].dump() + "\n";
+    }
+    if (const Json& slurm = status["slurm"]; !slurm.is_null()) {
+      out += fmt::format("Slurm{}: {} tasks wait, {} run, {} unknown\n",
+                         slurm["answers"].get<bool>() ? "" : " does not answer",
+                         slurm["tasks_waiting"].get<long>(),
+                         slurm["tasks_running"].get<long>(),
+                         slurm["tasks_unknown"].get<long>());
+      for (const auto& [why, count] : slurm["reasons"].items()) {
+        out += fmt::format("  {} wait: {}\n", count.get<long>(), why);
+      }
     }
     if (status["incidents"].get<long>() > 0) {
       out += fmt::format("{} incidents: poreclog query {} incidents\n",

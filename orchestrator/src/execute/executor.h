@@ -45,6 +45,11 @@ class Executor {
   virtual void cancel(Stop how) = 0;
   /// How long the caller may wait between two polls if no child of it ends [s].
   virtual double pace() const = 0;
+  /// Do jobs go on without the caller, to be adopted by a later process?  Then nobody has
+  /// to stop them because the caller stops.
+  virtual bool outlasts_caller() const = 0;
+  /// Why it takes no more jobs for now, in the scheduler's words; empty if it would.
+  virtual std::string limited_by() const { return ""; }
 };
 
 }  // namespace colloid

@@ -21,6 +21,7 @@ class LocalExecutor : public Executor {
   std::vector<std::int64_t> poll() override;
   void cancel(Stop how) override;
   double pace() const override;
+  bool outlasts_caller() const override { return false; }
 
  private:
   struct Running {

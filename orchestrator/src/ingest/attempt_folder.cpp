@@ -139,11 +139,22 @@ bool on_another_machine(const std::string& folder) {
   }
   std::array<char, 256> name{};
   ::gethostname(name.data(), name.size() - 1);
-  return lock.substr(space + 1, lock.find('\n') - space - 1) != name.data();
+  const std::size_t end = lock.find_first_of(" \n", space + 1);
+  return lock.substr(space + 1, end - space - 1) != name.data();
+}
+
+Presence presence_here(const std::string& folder) {
+  const bool left_something =
+      is_file(folder + "/ending.json") || is_file(folder + "/result.h5");
+  return !left_something && on_another_machine(folder) ? Presence::unknown
+         : FileLock::is_held(folder + "/lock")         ? Presence::active
+                                                       : Presence::ended;
 }
 
 bool give_up(const std::string& folder) {
-  const auto lock = FileLock::take(folder + "/lock", "given up\n");
+  // One word: of two, the second is a machine's name (on_another_machine), also if we are
+  // killed before the ending is written.
+  const auto lock = FileLock::take(folder + "/lock", "abandoned\n");
   if (!lock) {
     return false;
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "campaign/attempt_watch.h"
 #include "store/records.h"
 
 namespace colloid {
@@ -17,6 +18,9 @@ std::string last_message(const std::string& folder);
 
 /// Was it begun by a keeper on another machine, whose locks may not be seen here?
 bool on_another_machine(const std::string& folder);
+
+/// Where an attempt is, as far as its folder and locks on this machine tell.
+Presence presence_here(const std::string& folder);
 
 /// Takes an attempt that has left no ending for lost, so that it cannot begin any more;
 /// false if it is running after all.

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "base/file_lock.h"
 #include "ingest/attempt_folder.h"
 #include "ingest/result_file.h"
 #include "ingest/standing.h"
@@ -68,6 +67,12 @@ std::vector<AttemptOf> Ingester::catch_up() {
 
 void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
   const std::string realisation = folder_.realisation(plan_, item);
+  if (const auto waiting =
+          watch_ == nullptr ? std::nullopt : watch_->waiting(realisation);
+      waiting && store_.status(item) == Status::active) {
+    running.push_back({item, *waiting});
+    return;
+  }
   std::map<int, Cause> known;
   for (const AttemptRecord& attempt : store_.attempts(item)) {
     known[attempt.number] = attempt.cause;
@@ -88,18 +93,12 @@ void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
   bool is_unknown = false;
   for (const int number : open) {
     const std::string folder = attempt_folder(realisation, number);
-    if (is_there(folder) && !is_there(folder + "/ending.json") &&
-        !is_there(folder + "/result.h5")) {
-      if (on_another_machine(folder)) {
-        is_unknown = true;
-        continue;
-      }
-      if (!give_up(folder)) {
-        running.push_back({item, number});
-        is_active = true;
-        continue;
-      }
-    } else if (FileLock::is_held(folder + "/lock")) {
+    const Presence now = presence(folder);
+    if (now == Presence::unknown) {
+      is_unknown = true;
+      continue;
+    }
+    if (now == Presence::active) {
       running.push_back({item, number});
       is_active = true;
       continue;
@@ -114,6 +113,18 @@ void Ingester::catch_up(const Item& item, std::vector<AttemptOf>& running) {
       store_.set_status(item, status);
     }
   }
+}
+
+Presence Ingester::presence(const std::string& folder) {
+  const Presence elsewhere =
+      watch_ == nullptr ? Presence::not_mine : watch_->conclude(folder);
+  if (elsewhere != Presence::not_mine) {
+    return elsewhere;
+  }
+  const Presence here = presence_here(folder);
+  const bool has_said = !is_there(folder) || is_there(folder + "/ending.json") ||
+                        is_there(folder + "/result.h5");
+  return here != Presence::ended || has_said || give_up(folder) ? here : Presence::active;
 }
 
 Settled Ingester::settle(const Item& item, int number) {

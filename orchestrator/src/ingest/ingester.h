@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "campaign/attempt_watch.h"
 #include "campaign/plan.h"
 #include "campaign/run_folder.h"
 #include "store/store.h"
@@ -26,8 +27,10 @@ struct Settled {
 
 class Ingester {
  public:
-  Ingester(Store& store, const RunFolder& folder, const Plan& plan)
-      : store_(store), folder_(folder), plan_(plan) {}
+  /// `watch`: who knows of attempts that run elsewhere; null if none do.
+  Ingester(Store& store, const RunFolder& folder, const Plan& plan,
+           AttemptWatch* watch = nullptr)
+      : store_(store), folder_(folder), plan_(plan), watch_(watch) {}
 
   /// Brings the database up to what is in the folders, whoever left it there and however
   /// that process ended.  Returns the attempts that are running now.
@@ -38,6 +41,8 @@ class Ingester {
 
  private:
   void catch_up(const Item& item, std::vector<AttemptOf>& running);
+  /// Where an attempt without a recorded end is; one that is lost gets an ending.
+  Presence presence(const std::string& folder);
   /// The status that the ended attempts leave a realisation in that is not ingested.
   Status standing_of(const Item& item);
   /// Why the result is not that of the realisation; empty if it is.
@@ -47,6 +52,7 @@ class Ingester {
   Store& store_;
   const RunFolder& folder_;
   const Plan& plan_;
+  AttemptWatch* watch_;
   std::string last_scene_;
   std::string last_scene_hash_;
 };

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/file_lock.h"
 #include "base/files.h"
 #include "ingest/attempt_folder.h"
 #include "ingest/standing.h"
@@ -107,9 +106,16 @@ Verdict verdict_of_ended(const std::vector<AttemptRecord>& attempts, int forgive
                       last, how)};
 }
 
+Presence presence(const std::string& attempt, const AttemptWatch* watch) {
+  const Presence elsewhere =
+      watch == nullptr ? Presence::not_mine : watch->presence(attempt);
+  return elsewhere != Presence::not_mine ? elsewhere : presence_here(attempt);
+}
+
 /// The same questions as Ingester::catch_up, in the same order.
 Verdict verdict_of(const Known& known, const Limits& limits,
-                   const std::string& realisation, bool has_folder) {
+                   const std::string& realisation, bool has_folder,
+                   const AttemptWatch* watch) {
   std::set<int> numbers;
   if (has_folder) {
     const std::vector<int> there = attempts_in(realisation);
@@ -132,11 +138,10 @@ Verdict verdict_of(const Known& known, const Limits& limits,
       continue;
     }
     const std::string folder = attempt_folder(realisation, number);
-    const bool left_something =
-        is_file(folder + "/ending.json") || is_file(folder + "/result.h5");
-    if (!left_something && on_another_machine(folder)) {
+    const Presence now = presence(folder, watch);
+    if (now == Presence::unknown) {
       is_unknown = true;
-    } else if (FileLock::is_held(folder + "/lock")) {
+    } else if (now == Presence::active) {
       is_running = true;
     } else if (is_file(folder + "/result.h5")) {
       has_result = true;
@@ -148,7 +153,8 @@ Verdict verdict_of(const Known& known, const Limits& limits,
     return {"ingest", "result_on_disk", "its result is on the disk, not in the database"};
   }
   if (is_running) {
-    return {"take_over", "running", "an attempt is running; it is waited for"};
+    return {"take_over", "running",
+            "an attempt runs or waits for its turn; it is taken over"};
   }
   if (is_unknown) {
     return {"skip", "unknown",
@@ -175,7 +181,8 @@ void add(std::vector<Prospect>& classes, const Verdict& verdict, int index) {
 }  // namespace
 
 std::vector<Prospect> prospects(const Plan& plan, std::size_t ensemble,
-                                const RunFolder& folder, const std::string& database) {
+                                const RunFolder& folder, const std::string& database,
+                                const AttemptWatch* watch) {
   const std::vector<Known> known = known_of(plan, plan.ensembles[ensemble], database);
   const std::vector<int> started = folder.started(plan.ensembles[ensemble]);
   std::vector<Prospect> classes;
@@ -188,7 +195,7 @@ std::vector<Prospect> prospects(const Plan& plan, std::size_t ensemble,
     const bool has_folder = std::binary_search(started.begin(), started.end(), index);
     add(classes,
         verdict_of(one, plan.limits, folder.realisation(plan, {ensemble, index}),
-                   has_folder),
+                   has_folder, watch),
         index);
   }
   return classes;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "campaign/attempt_watch.h"
 #include "campaign/plan.h"
 #include "campaign/run_folder.h"
 
@@ -20,8 +21,10 @@ struct Prospect {
   std::vector<std::pair<int, int>> indices;  ///< first and last of each range, ascending
 };
 
-/// In the order of their first indices.  `database` need not be there.
+/// In the order of their first indices.  `database` need not be there; `watch`: who knows
+/// of attempts that run elsewhere, null if none do.
 std::vector<Prospect> prospects(const Plan& plan, std::size_t ensemble,
-                                const RunFolder& folder, const std::string& database);
+                                const RunFolder& folder, const std::string& database,
+                                const AttemptWatch* watch);
 
 }  // namespace colloid
