@@ -209,7 +209,7 @@ inline std::vector<BadScene> bad_combinations() {
                 R"("bodies": [{"center": ["5 um", "5 um", "5 um"], "diameter": "4 um",
                                "force": ["1 pN", "0 N", "0 N"]}])",
                 R"("fidelity": {"tier": "one_way"})"),
-       5, "/fidelity/tier", "need quasi_steady or transient", false},
+       6, "/fidelity/tier", "need quasi_steady or transient", false},
   };
 }
 

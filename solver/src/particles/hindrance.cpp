@@ -29,6 +29,9 @@ struct Factors {
   // Force and torque per strain across n over a, of a flow that does not slip on the
   // surface, beyond those of its velocity and spin.
   double strain_force, strain_torque;
+  // Of a stream past the surface.  Beside a narrow sphere the flow's own strain is not
+  // its doing alone, and that of the stream with the flow's velocity takes its place.
+  double strain_by_velocity;
   bool wide;  // like a plane to what it shields
 };
 
@@ -44,6 +47,7 @@ Factors beside_plane(double gap_over_radius) {
           w.f_e,
           2.0 * h * (w.f_s - w.f_t) + kTurn * w.t_t,
           kTurn * (w.t_s - w.t_r + 2.0 * h * w.t_t),
+          0.5 / h,
           true};
 }
 
@@ -63,6 +67,7 @@ Factors beside_sphere(const PairResistance& r, const StreamDrive& drive, double 
           drive.n,
           force / flow.strain,
           torque / flow.strain,
+          flow.strain / flow.velocity,
           ratio >= kWideRatio};
 }
 
@@ -80,10 +85,11 @@ void add_factors(const Factors& f, double weight, double height, const Vector3& 
     held.wide.push_back(
         {n, height, 1.0 + weight * (f.f_n - 1.0), 1.0 + weight * (f.f_t - 1.0)});
   }
-  const Vector3 strain = radius * (across * (ambient.strain * n));
+  const Vector3 velocity = eigen(ambient.velocity);
+  const Vector3 strain = f.wide ? Vector3(radius * (across * (ambient.strain * n)))
+                                : Vector3(f.strain_by_velocity * (across * velocity));
   Vector6 beyond;
-  beyond << (f.drive_n - f.f_n) * (along * eigen(ambient.velocity)) +
-                f.strain_force * strain,
+  beyond << (f.drive_n - f.f_n) * (along * velocity) + f.strain_force * strain,
       f.strain_torque * n.cross(strain);
   held.drive += weight * beyond;
 }
