@@ -1,0 +1,43 @@
+// Spheres in a grid that does not follow them: in which cells their rigid motion is
+// imposed, and how strongly.                                             MODEL section T
+//
+// A cell whose centre is inside a body moves with it.  A cell outside of which a
+// neighbour's centre is inside feels the surface where it is: the viscous flux of a link
+// that the surface cuts at the fraction theta of its length is nu (u - V)/(theta h) rather
+// than nu (u - V_nb)/h (Shortley & Weller 1938).  As V is rigid, hence linear in space, the
+// difference is a drag on that cell alone, towards the body's motion at the cell's centre:
+//
+//     (T2)  lambda = (nu/h^2) sum over cut links of (1/theta - 1)
+//
+// It goes to infinity where the centre reaches the surface, so that nothing jumps when a
+// body moves through the grid.
+#pragma once
+
+#include <vector>
+
+#include "core/box.h"
+#include "tiers/transient/octree.h"
+
+namespace colloid {
+
+/// The motion of body `body` acts on cell `cell`.
+struct ImmersedEntry {
+  int cell = 0;
+  int body = 0;
+  double strength = 0.0;  ///< lambda, a rate [1/s]
+  bool solid = false;     ///< the cell's centre is inside
+  Vec3 arm;               ///< from the body's centre (nearest image) to the cell's [m]
+};
+
+/// Over nu/h^2: the rate at which cells inside a body follow it, and the largest
+/// contribution of a link.  What leaks is its reciprocal.
+constexpr double kRigid = 1e3;
+
+/// From `centre` to `x` by the shortest way through periodic faces [m].
+Vec3 nearest_arm(const Box& box, const Vec3& centre, const Vec3& x);
+
+/// Entries of all bodies, by body, then by cell.  `viscosity`: kinematic [m^2/s].
+std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh& mesh,
+                                   const std::vector<Sphere>& bodies, double viscosity);
+
+}  // namespace colloid
