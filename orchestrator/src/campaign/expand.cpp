@@ -17,6 +17,7 @@ namespace colloid {
 namespace {
 
 using nlohmann::json;
+using namespace nlohmann::literals;
 
 /// One choice of a value for every varied pointer: its index in the list.
 using Choice = std::map<std::string, std::size_t>;
@@ -125,6 +126,23 @@ json spelt_out(const Campaign& campaign, const SolverProgram& solver,
   }
 }
 
+/// What `auto` means for this scene; the solver measures its flow to tell.
+std::string tier_that_runs(const Campaign& campaign, const SolverProgram& solver,
+                           const Choice& choice, const json& scene) {
+  const auto tier = scene.at("fidelity").at("tier").get<std::string>();
+  if (tier != "auto") {
+    return tier;
+  }
+  try {
+    return solver.regime(scene).value("/tier/name"_json_pointer, tier);
+  } catch (const InputError& error) {
+    if (error.where() != "scene") {
+      throw;
+    }
+    refuse_scene(campaign, choice, error.why());
+  }
+}
+
 DesignPoint design_point(const Campaign& campaign, const Choice& choice,
                          const json& scene) {
   DesignPoint point;
@@ -177,13 +195,14 @@ Plan expand(const Campaign& campaign, const SolverProgram& solver) {
         plan.points.push_back(std::move(point));
       }
       const std::string chosen = scene.at("fidelity").at("tier").get<std::string>();
-      if (campaign.ranks > 1 && chosen != "transient") {
+      const std::string runs = tier_that_runs(campaign, solver, choice, scene);
+      if (campaign.ranks > 1 && runs != "transient") {
         refuse(campaign, "/ranks",
                fmt::format("is {}, but a realisation of tier {} is one process",
-                           campaign.ranks, chosen));
+                           campaign.ranks, runs));
       }
       const std::string hash = hash_of_scene(scene);
-      plan.ensembles.push_back({number, chosen, std::move(scene), hash});
+      plan.ensembles.push_back({number, chosen, std::move(scene), hash, runs});
     }
   }
   return plan;

@@ -51,9 +51,10 @@ Plan plan_from(const json& value) {
                            point.at("hash").get<std::string>(), point.at("values")});
   }
   for (const json& ensemble : value.at("ensembles")) {
-    plan.ensembles.push_back({ensemble.at("point").get<int>(),
-                              ensemble.at("tier").get<std::string>(),
-                              ensemble.at("scene"), ensemble.at("scene_hash")});
+    const auto tier = ensemble.at("tier").get<std::string>();
+    plan.ensembles.push_back({ensemble.at("point").get<int>(), tier, ensemble.at("scene"),
+                              ensemble.at("scene_hash"),
+                              ensemble.value("runs_as", tier)});
   }
   return plan;
 }
@@ -84,7 +85,8 @@ json to_json(const Plan& plan) {
     ensembles.push_back({{"point", e.point},
                          {"tier", e.tier},
                          {"scene", e.scene},
-                         {"scene_hash", e.scene_hash}});
+                         {"scene_hash", e.scene_hash},
+                         {"runs_as", e.runs_as}});
   }
   return {{"format", kFormat},
           {"campaign", plan.campaign},

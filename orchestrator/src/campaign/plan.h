@@ -27,6 +27,7 @@ struct Ensemble {
   std::string tier;        ///< as asked for: may be "auto"
   nlohmann::json scene;    ///< every default spelled out
   std::string scene_hash;  ///< of the scene without its remark
+  std::string runs_as;  ///< the tier that runs: `tier`, or what the solver says auto is
 };
 
 struct Plan {  // NOLINT(bugprone-exception-escape): as above

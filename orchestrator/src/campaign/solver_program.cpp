@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -19,6 +20,9 @@ namespace {
 
 using nlohmann::json;
 
+// The program of the tier transient, beside the solver.
+constexpr const char* kTransientSuffix = "-transient";
+
 bool is_program(const std::string& path) {
   return ::access(path.c_str(), X_OK) == 0 && !std::filesystem::is_directory(path);
 }
@@ -26,6 +30,34 @@ bool is_program(const std::string& path) {
 std::string program_or_refuse(const std::string& path, const std::string& source) {
   require(is_program(path), source, path + " is not a program that can be run");
   return absolute(path);
+}
+
+bool runs_transient(const Ensemble& ensemble) {
+  return ensemble.runs_as == "transient";
+}
+
+/// What starts the ranks of a realisation.
+std::vector<std::string> launcher(const Plan& plan) {
+  const std::string ranks = std::to_string(plan.ranks);
+  if (plan.executor == "slurm" && plan.slurm.launcher == "srun") {
+    return {"srun", "--mpi=pmix", "--kill-on-bad-exit=1", "-n", ranks};
+  }
+  // Not bound to cores, or every realisation on a machine would be bound to the same
+  // ones; and with the time to write a checkpoint after a SIGTERM, which is one second
+  // otherwise.
+  const double patience = std::ceil(plan.limits.seconds_to_stop);
+  std::vector<std::string> words{"mpirun",
+                                 "-n",
+                                 ranks,
+                                 "--bind-to",
+                                 "none",
+                                 "--mca",
+                                 "odls_base_sigkill_timeout",
+                                 fmt::format("{:.0f}", patience)};
+  if (::geteuid() == 0) {
+    words.emplace_back("--allow-run-as-root");
+  }
+  return words;
 }
 
 }  // namespace
@@ -83,18 +115,24 @@ json SolverProgram::regime(const json& scene) const {
   return describe({"--json", "--regime"}, scene).value("regime", json::object());
 }
 
+void SolverProgram::require_for(const Plan& plan) const {
+  const bool needed =
+      std::any_of(plan.ensembles.begin(), plan.ensembles.end(), runs_transient);
+  require(!needed || is_program(path_ + kTransientSuffix), "/fidelity/tier",
+          fmt::format("needs {}{}, which is not there: install OpenFOAM and LIGGGHTS "
+                      "(scripts/install_packages.sh) and build it",
+                      path_, kTransientSuffix));
+}
+
 std::vector<std::string> SolverProgram::run_command(
     const Plan& plan, const Item& item, const std::string& scene_file,
     const std::string& result_file) const {
+  const bool transient = runs_transient(plan.ensembles[item.ensemble]);
   std::vector<std::string> words;
-  std::string program = path_;
-  if (plan.ensembles[item.ensemble].tier == "transient") {
-    words = plan.executor == "slurm" && plan.slurm.launcher == "srun"
-                ? std::vector<std::string>{"srun", "--mpi=pmix", "--kill-on-bad-exit=1",
-                                           "-n", std::to_string(plan.ranks)}
-                : std::vector<std::string>{"mpirun", "-n", std::to_string(plan.ranks)};
-    program += "-transient";
+  if (transient && plan.ranks > 1) {
+    words = launcher(plan);
   }
+  const std::string program = path_ + (transient ? kTransientSuffix : "");
   words.insert(words.end(), {program, "run", scene_file, "-o", result_file, "--seed",
                              std::to_string(seed_of(plan, item))});
   return words;

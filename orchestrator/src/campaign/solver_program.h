@@ -29,6 +29,10 @@ class SolverProgram {
   /// `describe --regime --json`: the regime's numbers, the models and why.
   nlohmann::json regime(const nlohmann::json& scene) const;
 
+  /// InputError if the plan has realisations of the tier transient and their program is
+  /// not there.
+  void require_for(const Plan& plan) const;
+
   /// The command line of one realisation.
   std::vector<std::string> run_command(const Plan& plan, const Item& item,
                                        const std::string& scene_file,

@@ -19,6 +19,7 @@ namespace colloid {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using namespace nlohmann::literals;
 
 /// What one realisation costs, and how that is known.
 struct Cost {
@@ -58,7 +59,7 @@ Cost cost_of(const nlohmann::json& regime, const Past& past, const Plan& plan) {
     return {past.seconds, "mean of the realisations that are there"};
   }
   if (regime.contains(predicted) && regime[predicted].is_number()) {
-    return {regime[predicted].get<double>(), "predicted by the solver"};
+    return {regime[predicted].get<double>() / plan.ranks, "predicted by the solver"};
   }
   return {std::nullopt, fmt::format("not known; at most the limit of {} each",
                                     duration_text(plan.limits.seconds_per_realisation))};
@@ -102,6 +103,9 @@ class Check : public Command {
       ensembles.push_back({{"point", e.point},
                            {"varied", values_of(plan, e.point)},
                            {"tier", e.tier},
+                           {"runs_as", e.runs_as},
+                           {"tier_reason", regime.value("/tier/reason"_json_pointer,
+                                                        std::string("asked for"))},
                            {"realisations", plan.realisations},
                            {"ingested", past.ingested},
                            {"failed", past.failed},
@@ -138,8 +142,13 @@ class Check : public Command {
                     plan["campaign"].get<std::string>(), plan["realisations"].get<long>(),
                     plan["to_run"].get<long>(), plan["workers"].get<int>());
     for (const Json& e : plan["ensembles"]) {
-      out += fmt::format("\npoint {}  tier {}  {}\n", e["point"].get<int>(),
-                         e["tier"].get<std::string>(), e["varied"].dump());
+      const auto tier = e["tier"].get<std::string>();
+      const std::string means =
+          tier == "auto" ? fmt::format(": {} ({})", e["runs_as"].get<std::string>(),
+                                       e["tier_reason"].get<std::string>())
+                         : "";
+      out += fmt::format("\npoint {}  tier {}{}  {}\n", e["point"].get<int>(), tier,
+                         means, e["varied"].dump());
       out += fmt::format("  {} to run of {}; time of one: {}{}\n",
                          e["to_run"].get<long>(), e["realisations"].get<int>(),
                          e["seconds_each"].is_null()

@@ -138,6 +138,7 @@ class WorkCommand : public Command {
       return exit_done;
     }
     const SolverProgram solver = SolverProgram::find(common_.solver);
+    solver.require_for(plan);
     const std::string database = absolute(common_.database);
     make_places(folder, database);
     const FileLock lock = lock_campaign(folder);

@@ -1,6 +1,7 @@
 // A subcommand of a program: its options, and what it does with them.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -33,7 +34,7 @@ class Command {
 struct CommandEntry {
   const char* name;
   const char* summary;
-  std::unique_ptr<Command> (*make)();
+  std::function<std::unique_ptr<Command>()> make;
 };
 
 }  // namespace colloid

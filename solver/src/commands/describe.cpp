@@ -13,6 +13,7 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "scene/field_lister.h"
+#include "scene/names.h"
 #include "scene/read_scene.h"
 
 namespace colloid {
@@ -89,6 +90,24 @@ nlohmann::ordered_json row_json(const FieldRow& row) {
   return out;
 }
 
+nlohmann::ordered_json tier_json(const TierAdvice& tier) {
+  return {{"name", word_of(tier.choice)},
+          {"program", program_of(tier.choice)},
+          {"reason", tier.reason}};
+}
+
+nlohmann::ordered_json cost_json(const TransientCost& cost) {
+  return {{"cells", number_or_null(cost.cells)},
+          {"steps", number_or_null(cost.steps)},
+          {"seconds", number_or_null(cost.seconds)}};
+}
+
+std::string tier_table(const SceneRegime& found) {
+  return fmt::format("\ntier {} ({}), by {}\n{}", word_of(found.tier.choice),
+                     found.tier.reason, program_of(found.tier.choice),
+                     found.cost ? cost_text(*found.cost) + " for a run\n" : "");
+}
+
 class Describe : public Command {
  public:
   void declare_options(CLI::App& app) override {
@@ -111,10 +130,14 @@ class Describe : public Command {
       require(seed_.has_value(), "--seed", "is missing: --injections needs one");
       print_injections(parse_seed(*seed_, "--seed"));
     } else if (regime_) {
-      const Regime regime = scene_regime(*regime_);
+      const SceneRegime found = scene_regime(*regime_);
+      nlohmann::ordered_json regime = regime_json(found.regime);
+      regime["tier"] = tier_json(found.tier);
+      regime["cost"] = found.cost ? cost_json(*found.cost) : nullptr;
       const nlohmann::ordered_json document{{"schema_version", kSchemaVersion},
-                                            {"regime", regime_json(regime)}};
-      std::cout << (json_ ? document.dump(2) + "\n" : regime_table(regime));
+                                            {"regime", regime}};
+      std::cout << (json_ ? document.dump(2) + "\n"
+                          : regime_table(found.regime) + tier_table(found));
     } else if (scene_) {
       std::cout << to_json(read_scene(*scene_).scene).dump(2) << '\n';
     } else if (json_) {

@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -153,6 +155,8 @@ std::string result_summary(const Realisation& r, const std::string& path) {
 
 class Run : public Command {
  public:
+  explicit Run(TierTable tiers) : tiers_(std::move(tiers)) {}
+
   void declare_options(CLI::App& app) override {
     app.add_option("scene", scene_, "Scene file (JSON)")->required();
     app.add_option("-o,--output", output_, "Result file (HDF5)")->required();
@@ -177,7 +181,10 @@ class Run : public Command {
   int run() const override {
     const SceneFile file = read_scene(scene_);
     check_starting_colloids(file);
-    const TierDecision decision = choose_tier(file.scene);
+    const TierDecision decision = choose_tier(file.scene, tiers_, threads_);
+    if (!decision.warning.empty()) {
+      std::cerr << fmt::format("{}: {}\n", tiers_.program, decision.warning);
+    }
     RunOptions options;
     options.seed = parse_seed(seed_, "--seed");
     options.tier_reason = decision.reason;
@@ -190,7 +197,10 @@ class Run : public Command {
       options.progress = [&](const Progress& progress) { line(progress); };
     }
     listen_to_signals();
-    ResultFile result(output_, collect_provenance(arguments()), file.scene);
+    std::optional<ResultFile> result;
+    if (tiers_.writes_result) {
+      result.emplace(output_, collect_provenance(arguments()), file.scene);
+    }
     const std::optional<Realisation> realisation = decision.tier.run(file.scene, options);
     line.end();
     if (!realisation) {
@@ -200,7 +210,10 @@ class Run : public Command {
                                       checkpoint_));
       return exit_interrupted;
     }
-    result.finish(*realisation);
+    if (!result) {
+      return exit_finished;
+    }
+    result->finish(*realisation);
     if (!checkpoint_.empty()) {
       std::error_code ignored;  // none was written, or it will be refused or replayed
       std::filesystem::remove(checkpoint_, ignored);
@@ -214,6 +227,7 @@ class Run : public Command {
   // The command as it was given; the system keeps it for us.
   static std::vector<std::string> arguments();
 
+  TierTable tiers_;
   std::string scene_;
   std::string output_;
   std::string seed_ = "1";
@@ -243,8 +257,8 @@ std::vector<std::string> Run::arguments() {
 
 }  // namespace
 
-std::unique_ptr<Command> make_run() {
-  return std::make_unique<Run>();
+std::unique_ptr<Command> make_run(TierTable tiers) {
+  return std::make_unique<Run>(std::move(tiers));
 }
 
 }  // namespace colloid

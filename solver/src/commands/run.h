@@ -1,12 +1,14 @@
-// `poreclog-solve run`: one realisation of a scene into a result file.
+// `run` of both programs: one realisation of a scene into a result file.
 #pragma once
 
 #include <memory>
 
 #include "commands/command.h"
+#include "tiers/tier.h"
 
 namespace colloid {
 
-std::unique_ptr<Command> make_run();
+/// By the program's own tiers.
+std::unique_ptr<Command> make_run(TierTable tiers);
 
 }  // namespace colloid

@@ -5,9 +5,16 @@
 
 namespace colloid {
 
-Regime scene_regime(const std::string& path) {
-  const SceneFile file = read_scene(path);
-  return measure(file.scene, {}).regime;
+SceneRegime scene_regime(const std::string& path) {
+  const Scene scene = read_scene(path).scene;
+  SceneRegime out{measure(scene, {}).regime, {scene.fidelity.tier, "asked for"}, {}};
+  if (scene.fidelity.tier == TierChoice::automatic) {
+    out.tier = advise_tier(scene, out.regime);
+  }
+  if (out.tier.choice == TierChoice::transient && scene.colloids) {
+    out.cost = predict_transient_cost(scene, out.regime);
+  }
+  return out;
 }
 
 }  // namespace colloid

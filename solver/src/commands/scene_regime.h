@@ -2,14 +2,23 @@
 // because the scene's list of keys and the flow's unknowns are both named Fields.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tiers/regime.h"
+#include "tiers/tier.h"
+#include "tiers/transient_cost.h"
 
 namespace colloid {
 
-/// The regime of the scene in file `path`, at the scene's own grid: the speeds come from
-/// its flow.  Refuses and fails as measure() does.
-Regime scene_regime(const std::string& path);
+struct SceneRegime {
+  Regime regime;
+  TierAdvice tier;                    ///< asked for by the scene, or what `auto` means
+  std::optional<TransientCost> cost;  ///< of a run by the tier transient; else not known
+};
+
+/// Of the scene in file `path`, at the scene's own grid: the speeds come from its flow.
+/// Refuses and fails as measure() does.
+SceneRegime scene_regime(const std::string& path);
 
 }  // namespace colloid

@@ -202,6 +202,11 @@ void declare(Fields& f, Fidelity& fidelity) {
   f.choice({"coupling", "of fluid and colloids (tier transient)"}, fidelity.coupling);
   f.integer({"refinement", "times the cell is halved at colloids (tier transient)"},
             between(0.0, 6.0), fidelity.refinement);
+  f.integer({"wall_refinement",
+             "times the cell is halved at surfaces of grains (tier transient)"},
+            between(0.0, 1.0), fidelity.wall_refinement);
+  f.quantity({"dem_step", "step of the colloids' motion and contacts (tier transient)"},
+             {"s", positive(1e-3)}, fidelity.dem_step);
 }
 
 void declare(Fields& f, Scene& scene) {

@@ -129,7 +129,9 @@ struct Fidelity {
   Lubrication lubrication = Lubrication::full;
   double courant = 0.3;  ///< largest Courant number (tier transient) [-]
   Coupling coupling = Coupling::implicit;
-  int refinement = 1;  ///< halvings of the cell at colloids (tier transient)
+  int refinement = 1;       ///< halvings of the cell at colloids (tier transient)
+  int wall_refinement = 0;  ///< the same at the surfaces of grains (tier transient)
+  double dem_step = 50e-9;  ///< of the colloids' motion and contacts (tier transient) [s]
 };
 
 struct Scene {

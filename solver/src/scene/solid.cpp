@@ -37,28 +37,33 @@ bool is_void(const Box& box, const std::vector<Sphere>& balls, const Vec3& point
   return found == balls.end();
 }
 
-/// Tries the centres of counts[0] x counts[1] x counts[2] equal parts of the box, an axis
-/// with the count 0 at the coordinate `fixed`.
-bool any_void(const Box& box, const std::vector<Sphere>& balls,
-              const std::array<int, 3>& counts, double fixed) {
+/// How many of the centres of counts[0] x counts[1] x counts[2] equal parts of the box,
+/// an axis with the count 0 at the coordinate `fixed`, are void; no more than `enough`.
+long count_void(const Box& box, const std::vector<Sphere>& balls,
+                const std::array<int, 3>& counts, double fixed, long enough) {
   const auto coordinate = [&](std::size_t axis, int index) {
     return counts[axis] == 0
                ? fixed
                : box.size[static_cast<int>(axis)] * (index + 0.5) / counts[axis];
   };
   std::size_t last = 0;
+  long found = 0;
   for (int k = 0; k < std::max(counts[2], 1); ++k) {
     for (int j = 0; j < std::max(counts[1], 1); ++j) {
       for (int i = 0; i < std::max(counts[0], 1); ++i) {
         const Vec3 point{coordinate(0, i), coordinate(1, j), coordinate(2, k)};
-        if (is_void(box, balls, point, last)) {
-          return true;
+        found += is_void(box, balls, point, last) ? 1 : 0;
+        if (found == enough) {
+          return found;
         }
       }
     }
   }
-  return false;
+  return found;
 }
+
+constexpr std::array<int, 3> kVolumeCounts{kVolumeSamples, kVolumeSamples,
+                                           kVolumeSamples};
 
 }  // namespace
 
@@ -83,14 +88,20 @@ bool reaches_into(const Box& box, const Sphere& ball) {
 }
 
 bool has_void(const Box& box, const std::vector<Sphere>& balls) {
-  return any_void(box, balls, {kVolumeSamples, kVolumeSamples, kVolumeSamples}, 0.0);
+  return count_void(box, balls, kVolumeCounts, 0.0, 1) > 0;
+}
+
+double void_fraction(const Box& box, const std::vector<Sphere>& balls) {
+  constexpr long kAll = 1L * kVolumeSamples * kVolumeSamples * kVolumeSamples;
+  return static_cast<double>(count_void(box, balls, kVolumeCounts, 0.0, kAll)) /
+         static_cast<double>(kAll);
 }
 
 bool has_void_on_face(const Box& box, const std::vector<Sphere>& balls, int face) {
   std::array<int, 3> counts{kFaceSamples, kFaceSamples, kFaceSamples};
   const int axis = axis_of(face);
   counts[static_cast<std::size_t>(axis)] = 0;
-  return any_void(box, balls, counts, is_upper(face) ? box.size[axis] : 0.0);
+  return count_void(box, balls, counts, is_upper(face) ? box.size[axis] : 0.0, 1) > 0;
 }
 
 }  // namespace colloid
