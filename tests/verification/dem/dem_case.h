@@ -8,11 +8,11 @@
 
 namespace colloid::dem_test {
 
-constexpr double kRadius = 6.65e-6;   // [m]
-constexpr double kDensity = 1050.0;   // [kg/m^3]
-constexpr double kViscosity = 1e-3;   // [Pa s]
-constexpr double kSpeed = 5e-4;       // at the inlet [m/s]
-constexpr double kModulus = 70e6;     // [Pa]
+constexpr double kRadius = 6.65e-6;  // [m]
+constexpr double kDensity = 1050.0;  // [kg/m^3]
+constexpr double kViscosity = 1e-3;  // [Pa s]
+constexpr double kSpeed = 5e-4;      // at the inlet [m/s]
+constexpr double kModulus = 70e6;    // [Pa]
 constexpr double kPoisson = 0.3;
 constexpr double kMass = kDensity * 4.0 / 3.0 * kPi * kRadius * kRadius * kRadius;
 constexpr double kDrag = 6.0 * kPi * kViscosity * kRadius;
@@ -34,7 +34,8 @@ inline SurfacePair colloid_pair() {
 inline SurfaceModel surface_model(const SurfacePair& grain = grain_pair(),
                                   const SurfacePair& colloid = colloid_pair()) {
   const double drag = kDrag * kSpeed;
-  SurfaceModel model{meet(grain, drag), meet(grain_pair(), drag), meet(colloid, drag), {}};
+  SurfaceModel model{
+      meet(grain, drag), meet(grain_pair(), drag), meet(colloid, drag), {}};
   model.rules.grain_gap = model.grain.gap;
   model.rules.wall_gap = model.wall.gap;
   model.rules.colloid_gap = 6e-9;

@@ -29,7 +29,8 @@ TEST(DemDrag, RelaxesExponentially) {
     EXPECT_NEAR(after.velocity.x, 1e-3 * (1.0 - left), 1e-12 * 1e-3);
     EXPECT_NEAR(after.velocity.y, 1e-3 * left, 1e-12 * 1e-3);
     EXPECT_NEAR(after.velocity.z, -2e-3 * (1.0 - left), 1e-12 * 2e-3);
-    const double spun = std::exp(-2.0 * tau * kTorsion / (0.4 * kMass * kRadius * kRadius));
+    const double spun =
+        std::exp(-2.0 * tau * kTorsion / (0.4 * kMass * kRadius * kRadius));
     EXPECT_NEAR(after.spin.z, 50.0 * spun, 1e-12 * 50.0);
     EXPECT_NEAR(after.spin.x, 10.0 * (1.0 - spun), 1e-12 * 10.0);
     const double way = 1e-3 * tau * (2.0 - (1.0 - left));

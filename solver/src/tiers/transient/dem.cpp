@@ -15,6 +15,16 @@ namespace colloid {
 namespace {
 
 constexpr const char* kStep = "/fidelity/dem_step";
+constexpr const char* kDamaged = "what was saved of the colloids is damaged";
+
+// Who saved the colloids.
+constexpr char kOfLiggghts = 'L';
+constexpr char kOfOurs = 'S';
+
+bool any_mobile(const std::vector<DemState>& states) {
+  return std::any_of(states.begin(), states.end(),
+                     [](const DemState& state) { return !state.held; });
+}
 
 void check(const DemOptions& options) {
   const auto positive = [](double value, const char* name) {
@@ -32,8 +42,9 @@ void check(const DemOptions& options) {
     positive(options.lubrication_cut, "the cut-off of lubrication");
   }
   for (const double nu : {options.colloid.poisson_ratio, options.grain.poisson_ratio}) {
-    require(nu >= 0.0 && nu <= 0.5, "DEM",
-            [&] { return "Poisson's ratio is " + shortest(nu) + ", must be in [0, 0.5]"; });
+    require(nu >= 0.0 && nu <= 0.5, "DEM", [&] {
+      return "Poisson's ratio is " + shortest(nu) + ", must be in [0, 0.5]";
+    });
   }
   require(options.restitution >= 0.05 && options.restitution <= 1.0, "DEM", [&] {
     return "the restitution is " + shortest(options.restitution) +
@@ -142,7 +153,13 @@ DemStep Dem::advance(double duration, const std::vector<DemLoad>& loads) {
 }
 
 std::vector<DemState> Dem::states() const {
-  return parts_->engine->states();
+  std::vector<DemState> out = parts_->engine->states();
+  for (DemState& state : out) {
+    state.position = wrapped(parts_->options.box, state.position);
+  }
+  std::sort(out.begin(), out.end(),
+            [](const DemState& a, const DemState& b) { return a.id < b.id; });
+  return out;
 }
 std::vector<DemBond> Dem::bonds() const {
   return parts_->forces->bonds();
@@ -158,15 +175,39 @@ const std::vector<std::string>& Dem::warnings() const {
 }
 
 std::string Dem::save() {
-  return parts_->forces->save() + parts_->engine->save();
+  const std::vector<DemState> states = parts_->engine->states();
+  std::string out = parts_->forces->save();
+  if (any_mobile(states)) {
+    return out + kOfLiggghts + parts_->engine->save();
+  }
+  // LIGGGHTS saves no state without mobile colloids; contacts have no history then.
+  out += kOfOurs;
+  out.append(reinterpret_cast<const char*>(states.data()),
+             states.size() * sizeof(DemState));
+  return out;
 }
 
 void Dem::restore(const std::string& saved) {
   std::string rest = saved;
-  parts_->forces->restore(rest);
+  Parts& parts = *parts_;
+  parts.forces->restore(rest);
+  const char kind = rest.empty() ? '\0' : rest.front();
+  require(kind == kOfLiggghts || kind == kOfOurs, "DEM", kDamaged);
+  rest.erase(0, 1);
   as_input([&] {
-    parts_->engine =
-        std::make_unique<DemEngine>(parts_->options, parts_->grains, *parts_->forces, rest);
+    if (kind == kOfLiggghts) {
+      parts.engine =
+          std::make_unique<DemEngine>(parts.options, parts.grains, *parts.forces, rest);
+      return 0;
+    }
+    require(rest.size() % sizeof(DemState) == 0, "DEM", kDamaged);
+    std::vector<DemState> states(rest.size() / sizeof(DemState));
+    std::copy(rest.begin(), rest.end(), reinterpret_cast<char*>(states.data()));
+    parts.engine =
+        std::make_unique<DemEngine>(parts.options, parts.grains, *parts.forces);
+    for (const DemState& state : states) {
+      parts.engine->add(state);
+    }
     return 0;
   });
 }

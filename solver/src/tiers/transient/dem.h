@@ -61,10 +61,10 @@ struct DemState {
 /// force - drag (v - velocity), torque - torsion (w - spin).
 struct DemLoad {
   int id = -1;
-  Vec3 force, torque;     ///< [N], [N m]
-  Vec3 velocity, spin;    ///< [m/s], [1/s]
-  double drag = 0.0;      ///< [N s/m]
-  double torsion = 0.0;   ///< [N m s]
+  Vec3 force, torque;    ///< [N], [N m]
+  Vec3 velocity, spin;   ///< [m/s], [1/s]
+  double drag = 0.0;     ///< [N s/m]
+  double torsion = 0.0;  ///< [N m s]
 };
 
 /// Mean over the interval of everything but the DemLoad: weight less buoyancy, surface
@@ -98,8 +98,8 @@ struct DemStep {
 struct DemBond {
   int first = -1;
   int second = -1;
-  bool rigid = false;           ///< else rolls
-  double tension = 0.0;         ///< [N], > 0: pulled
+  bool rigid = false;            ///< else rolls
+  double tension = 0.0;          ///< [N], > 0: pulled
   double largest_tension = 0.0;  ///< so far [N]
 };
 

@@ -40,8 +40,8 @@ BondForce bond_force(Bond& bond, const BondStiffness& k, const Vec3& offset,
   const double length = norm(offset);
   const Vec3 n = offset * (1.0 / length);
   const double arm = 0.5 * length;
-  const Vec3 relative = first.velocity - second.velocity -
-                        arm * cross(first.spin + second.spin, n);
+  const Vec3 relative =
+      first.velocity - second.velocity - arm * cross(first.spin + second.spin, n);
   const double along = dot(relative, n);
   const Vec3 sliding = relative - along * n;
   // The displacement turns with the pair: into its new plane, as long as before.
@@ -62,8 +62,7 @@ BondForce bond_force(Bond& bond, const BondStiffness& k, const Vec3& offset,
   out.second_torque = out.first_torque;
   if (bond.rigid != 0) {
     const Vec3 turning = first.spin - second.spin;
-    bond.about +=
-        step * (turning + cross(0.5 * (first.spin + second.spin), bond.about));
+    bond.about += step * (turning + cross(0.5 * (first.spin + second.spin), bond.about));
     const Vec3 moment = -k.about * bond.about - k.about_damping * turning;
     out.first_torque += moment;
     out.second_torque -= moment;

@@ -40,7 +40,7 @@ struct BondEnd {
 };
 
 struct BondForce {
-  Vec3 force;          ///< on the first; the second's is opposite
+  Vec3 force;  ///< on the first; the second's is opposite
   Vec3 first_torque;
   Vec3 second_torque;
 };

@@ -1,9 +1,5 @@
 #include "tiers/transient/dem_engine.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -11,7 +7,10 @@
 #include <cstdlib>
 #include <map>
 
+#include <fcntl.h>
 #include <mpi.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "core/constants.h"
 #include "core/error.h"
@@ -98,8 +97,8 @@ class MemoryFile {
   std::string read() const {
     std::string text(static_cast<std::size_t>(lseek(descriptor_, 0, SEEK_END)), '\0');
     for (std::size_t at = 0; at < text.size();) {
-      const ssize_t n = pread(descriptor_, text.data() + at, text.size() - at,
-                              static_cast<off_t>(at));
+      const ssize_t n =
+          pread(descriptor_, text.data() + at, text.size() - at, static_cast<off_t>(at));
       if (n <= 0) {
         throw OutputError("memory", "the state of the colloids cannot be read", errno);
       }
@@ -167,8 +166,7 @@ class ForceFix : public LAMMPS_NS::Fix {
  private:
   DemAtoms atoms() {
     LAMMPS_NS::Atom& a = *LAMMPS_NS::Pointers::atom;
-    return {a.nlocal, a.x,   a.v,    a.omega, a.f,
-            a.torque, a.tag, a.type, a.mask,  a.radius};
+    return {a.nlocal, a.x, a.v, a.omega, a.f, a.torque, a.tag, a.type, a.mask, a.radius};
   }
 
   // Pairs that may act on a mobile colloid.
@@ -280,8 +278,8 @@ void DemEngine::open() {
     throw EngineError("its errors would end the process");
   }
   start_mpi();
-  std::vector<std::string> words{"liggghts", "-log", "/dev/null", "-screen",
-                                 "/dev/null", "-nocite"};
+  std::vector<std::string> words{"liggghts", "-log",      "/dev/null",
+                                 "-screen",  "/dev/null", "-nocite"};
   std::vector<char*> arguments;
   for (std::string& word : words) {
     arguments.push_back(word.data());
@@ -364,8 +362,8 @@ void DemEngine::finish_set_up() {
   command("fix freeze frozen freeze");
   (*(engine_->modify->*member(FixTable())))["poreclog/forces"] = make_force_fix;
   command("fix forces all poreclog/forces");
-  auto* fix = static_cast<ForceFix*>(
-      engine_->modify->fix[engine_->modify->find_fix("forces")]);
+  auto* fix =
+      static_cast<ForceFix*>(engine_->modify->fix[engine_->modify->find_fix("forces")]);
   fix->attach(forces_);
   forces_.set_frozen_bit(group_bit("frozen"));
   for (int face = 0; face < kFaces; ++face) {
@@ -374,8 +372,7 @@ void DemEngine::finish_set_up() {
       continue;
     }
     const int axis = axis_of(face);
-    const DemType type =
-        condition == FaceCondition::wall ? dem_grain : dem_smooth_plane;
+    const DemType type = condition == FaceCondition::wall ? dem_grain : dem_smooth_plane;
     command("fix plane" + std::to_string(face) +
             " colloid wall/gran model hertz tangential history primitive type " +
             std::to_string(type) + " " + "xyz"[axis] + "plane " +
@@ -462,13 +459,10 @@ std::vector<DemState> DemEngine::states() const {
   std::vector<DemState> out;
   for (int i = 0; i < atom.nlocal; ++i) {
     if (atom.type[i] != dem_grain) {
-      out.push_back({forces_.id_of(atom.tag[i]),
-                     wrapped(options_.box, vector(atom.x[i])), vector(atom.v[i]),
+      out.push_back({forces_.id_of(atom.tag[i]), vector(atom.x[i]), vector(atom.v[i]),
                      vector(atom.omega[i]), atom.type[i] == dem_held});
     }
   }
-  std::sort(out.begin(), out.end(),
-            [](const DemState& a, const DemState& b) { return a.id < b.id; });
   return out;
 }
 

@@ -39,7 +39,7 @@ class DemEngine {
   void remove(int id);
   void hold(int id);
   void run(long steps, double step);
-  std::vector<DemState> states() const;  ///< ascending ids
+  std::vector<DemState> states() const;  ///< in LIGGGHTS' order
   std::string save();
 
  private:

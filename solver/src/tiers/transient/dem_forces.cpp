@@ -13,7 +13,7 @@ namespace colloid {
 
 namespace {
 
-constexpr double kLongestMove = 0.05;     // of the radius, in one sub-step
+constexpr double kLongestMove = 0.05;                 // of the radius, in one sub-step
 constexpr double kParting = 2.0 * kContactTolerance;  // of the gap: out of touch
 
 /// D of (T-D3): (D - drag) / D = exp(-drag h / m), D = m / h without drag.
@@ -22,6 +22,7 @@ double exponential_inertia(double drag, double mass, double h) {
   return z < 1e-12 ? mass / h : drag / -std::expm1(-z);
 }
 
+/// At that velocity.
 Vec3 hydrodynamic(const DemLoad& load, const Vec3& velocity) {
   return load.force + load.drag * (load.velocity - velocity);
 }
@@ -73,8 +74,7 @@ DemStep DemForces::finish(double duration, const std::vector<int>& ids) {
   DemStep out;
   for (const int id : ids) {
     const Slot& s = slot(id);
-    out.means.push_back(
-        {id, s.impulse * (1.0 / duration), s.turning * (1.0 / duration)});
+    out.means.push_back({id, s.impulse * (1.0 / duration), s.turning * (1.0 / duration)});
   }
   out.events = std::move(events_);
   events_.clear();
@@ -129,7 +129,7 @@ void DemForces::add_body_forces(const DemAtoms& atoms) {
     if (atoms.type[i] == dem_mobile) {
       Slot& s = slot(id_of(atoms.tag[i]));
       add(atoms.f[i], weight_);
-      s.push = weight_ + hydrodynamic(s.load, vector(atoms.v[i]));
+      s.push = weight_ + hydrodynamic(s.load, {});
     }
   }
 }
@@ -141,13 +141,11 @@ void DemForces::add_bond_forces(const DemAtoms& atoms, bool first) {
     if (atoms.type[i] != dem_mobile && atoms.type[j] != dem_mobile) {
       continue;
     }
-    const Vec3 offset =
-        shortest(options_.box, vector(atoms.x[i]), vector(atoms.x[j]));
-    const BondForce force = bond_force(
-        bond, stiffness_, offset, {vector(atoms.v[i]), vector(atoms.omega[i])},
-        {vector(atoms.v[j]), vector(atoms.omega[j])}, first ? 0.0 : step_);
-    if (!options_.permanent_bonds &&
-        bond.tension > options_.surfaces.colloid.pull_off) {
+    const Vec3 offset = shortest(options_.box, vector(atoms.x[i]), vector(atoms.x[j]));
+    const BondForce force =
+        bond_force(bond, stiffness_, offset, {vector(atoms.v[i]), vector(atoms.omega[i])},
+                   {vector(atoms.v[j]), vector(atoms.omega[j])}, first ? 0.0 : step_);
+    if (!options_.permanent_bonds && bond.tension > options_.surfaces.colloid.pull_off) {
       bond.broken = 1;
       continue;
     }
@@ -165,8 +163,8 @@ void DemForces::add_bond_forces(const DemAtoms& atoms, bool first) {
   for (auto pair = parted_.begin(); pair != parted_.end();) {
     const int i = slot(pair->first).local;
     const int j = slot(pair->second).local;
-    const bool out = norm(shortest(options_.box, vector(atoms.x[i]),
-                                   vector(atoms.x[j]))) > apart;
+    const bool out =
+        norm(shortest(options_.box, vector(atoms.x[i]), vector(atoms.x[j]))) > apart;
     pair = out ? parted_.erase(pair) : std::next(pair);
   }
 }
@@ -267,8 +265,7 @@ void DemForces::add_colloids(const DemAtoms& atoms, int one, int other,
   const Vec3 normal = offset * (1.0 / distance);
   const double gap = distance - atoms.radius[one] - atoms.radius[other];
   const ContactRules& rules = options_.surfaces.rules;
-  const bool mobile =
-      atoms.type[one] == dem_mobile && atoms.type[other] == dem_mobile;
+  const bool mobile = atoms.type[one] == dem_mobile && atoms.type[other] == dem_mobile;
   if (gap <= rules.colloid_gap && rules.colloids_attach &&
       (!mobile || rules.aggregates) && parted_.count(key(a, b)) == 0) {
     Bond bond;
@@ -279,10 +276,9 @@ void DemForces::add_colloids(const DemAtoms& atoms, int one, int other,
     bonds_.push_back(bond);
     joined_.insert(key(a, b));
     const bool first_moves = atoms.type[one] == dem_mobile;
-    events_.push_back({mobile ? DemEvent::Kind::touched_mobile
-                              : DemEvent::Kind::touched_retained,
-                       first_moves ? a : b, first_moves ? b : a,
-                       static_cast<double>(steps_) * step_});
+    events_.push_back(
+        {mobile ? DemEvent::Kind::touched_mobile : DemEvent::Kind::touched_retained,
+         first_moves ? a : b, first_moves ? b : a, static_cast<double>(steps_) * step_});
     return;
   }
   if (options_.long_range_forces) {
@@ -290,10 +286,10 @@ void DemForces::add_colloids(const DemAtoms& atoms, int one, int other,
     add(atoms.f[one], force);
     add(atoms.f[other], -force);
   }
-  narrow(one, other, normal,
-         atoms.radius[one] * atoms.radius[other] /
-             (atoms.radius[one] + atoms.radius[other]),
-         gap);
+  narrow(
+      one, other, normal,
+      atoms.radius[one] * atoms.radius[other] / (atoms.radius[one] + atoms.radius[other]),
+      gap);
 }
 
 void DemForces::attach(const DemAtoms& atoms, int i, DemEvent::Kind kind, int other,

@@ -50,8 +50,8 @@ class DemForces {
   /// One colloid during an interval.
   struct Slot {
     DemLoad load;
-    Vec3 impulse, turning;  ///< of all that is in DemMean [N s], [N m s]
-    Vec3 push;              ///< weight, bonds and hydrodynamics at present [N]
+    Vec3 impulse, turning;         ///< of all that is in DemMean [N s], [N m s]
+    Vec3 push;                     ///< weight, bonds, the liquid's force at rest [N]
     double drag_inertia = 0.0;     ///< D of (T-D3) [N s/m]
     double torsion_inertia = 0.0;  ///< [N m s]
     int local = -1;                ///< its atom at present

@@ -32,8 +32,7 @@ DemStepLimits step_limits(const DemOptions& options) {
   const double shear = options.colloid.young_modulus / (2.0 * (1.0 + nu));
   const double mass = options.density * 4.0 / 3.0 * kPi * a * a * a;
   DemStepLimits limits;
-  limits.rayleigh =
-      kPi * a * std::sqrt(options.density / shear) / (0.1631 * nu + 0.8766);
+  limits.rayleigh = kPi * a * std::sqrt(options.density / shear) / (0.1631 * nu + 0.8766);
   // Leapfrog is stable for w dt < 2; a row of stiffness k between two masses has
   // w^2 = 2k/m, and with z rows on each colloid (Gershgorin) w^2 <= 2 z k/m.
   const auto limit = [&](double stiffness, double rows) {
@@ -44,8 +43,8 @@ DemStepLimits step_limits(const DemOptions& options) {
                      : HUGE_VAL;
   limits.surface_forces = HUGE_VAL;
   if (options.long_range_forces) {
-    for (const PairContact* contact : {&options.surfaces.grain, &options.surfaces.wall,
-                                       &options.surfaces.colloid}) {
+    for (const PairContact* contact :
+         {&options.surfaces.grain, &options.surfaces.wall, &options.surfaces.colloid}) {
       const DemSurfaceForce force(*contact, options.least_surface_force, false);
       limits.surface_forces =
           std::min(limits.surface_forces, limit(force.steepest(), kNeighbours));

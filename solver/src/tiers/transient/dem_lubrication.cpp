@@ -45,8 +45,8 @@ void solve_lubrication(std::vector<NarrowGap>& gaps, const std::vector<double>& 
         opening -= dot(gap.normal, velocity[slot(gap.second)]);
         compliance += 1.0 / inertia[slot(gap.second)];
       }
-      const double more = -(gap.force + gap.resistance * opening) /
-                          (1.0 + gap.resistance * compliance);
+      const double more =
+          -(gap.force + gap.resistance * opening) / (1.0 + gap.resistance * compliance);
       gap.force += more;
       if (gap.first >= 0) {
         velocity[slot(gap.first)] += more / inertia[slot(gap.first)] * gap.normal;

@@ -25,8 +25,9 @@ struct NarrowGap {
 ///
 ///     D (v - v_0) = sum of +- force n,   force = -resistance n . (v_first - v_second)
 ///
-/// where v_0 is what `velocity` holds on entry, and D what `inertia` holds [N s/m]: sweeps
-/// over the gaps until no force changes.  ConvergenceError if that does not happen.
+/// where v_0 is what `velocity` holds on entry, and D what `inertia` holds [N s/m]:
+/// sweeps over the gaps until no force changes.  ConvergenceError if that does not
+/// happen.
 void solve_lubrication(std::vector<NarrowGap>& gaps, const std::vector<double>& inertia,
                        std::vector<Vec3>& velocity);
 
