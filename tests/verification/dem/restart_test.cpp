@@ -131,6 +131,28 @@ TEST_P(DemRestart, ContinuesBitByBit) {
 
 INSTANTIATE_TEST_SUITE_P(Aggregates, DemRestart, ::testing::Bool());
 
+TEST(DemRestart, OfRetainedColloidsAloneWorks) {
+  DemOptions options = everything(true);
+  options.surfaces.rules.grains_attach = false;
+  options.permanent_bonds = true;
+  Dem first(options, kGrains);
+  first.add({4, {1e-5, 3e-5, 9e-5}, {}, {}, true});
+  first.add({2, {1e-5 + 2.0 * kRadius + 2e-9, 3e-5, 9e-5}, {}, {}});
+  first.advance(1e-6, {});
+  ASSERT_EQ(first.bonds().size(), 1U);
+  first.hold(2);
+  Dem second(options, kGrains);
+  second.restore(first.save());
+  EXPECT_EQ(second.bonds().size(), 1U);
+  expect_same(first.states(), second.states());
+  for (Dem* dem : {&first, &second}) {
+    dem->add({7, {1e-5 + kRadius + 1e-9, 3e-5, 9e-5 + 1.153e-5}, {0.0, 0.0, -1e-3}, {}});
+    go(*dem, 3);
+  }
+  EXPECT_GT(first.bonds().size(), 1U);
+  expect_same(first.states(), second.states());
+}
+
 TEST(DemRestart, OfAnEmptyBoxWorks) {
   const DemOptions options = bonding();
   Dem first(options, {});

@@ -176,6 +176,7 @@ class ForceFix : public LAMMPS_NS::Fix {
     const NeighList& list = *LAMMPS_NS::Pointers::force->pair->list;
     neighbor_lists_ = LAMMPS_NS::Pointers::neighbor->ncalls;
     pairs_.clear();
+    forces_->locate(atoms());
     for (int n = 0; n < list.inum; ++n) {
       const int i = list.ilist[n];
       for (int k = 0; k < list.numneigh[i]; ++k) {
@@ -281,6 +282,7 @@ void DemEngine::open() {
   std::vector<std::string> words{"liggghts", "-log",      "/dev/null",
                                  "-screen",  "/dev/null", "-nocite"};
   std::vector<char*> arguments;
+  arguments.reserve(words.size());
   for (std::string& word : words) {
     arguments.push_back(word.data());
   }
@@ -443,6 +445,7 @@ void DemEngine::hold(int id) {
 }
 
 void DemEngine::remove(int id) {
+  atom_of(id);  // throws if there is none
   command("group leaving id " + std::to_string(forces_.tag_of(id)));
   command("delete_atoms group leaving compress no");
   command("group leaving delete");

@@ -82,7 +82,7 @@ DemStep DemForces::finish(double duration, const std::vector<int>& ids) {
   return out;
 }
 
-void DemForces::find_atoms(const DemAtoms& atoms) {
+void DemForces::locate(const DemAtoms& atoms) {
   const double h = 0.5 * step_;
   for (Slot& s : slots_) {
     s.local = -1;
@@ -102,7 +102,6 @@ void DemForces::find_atoms(const DemAtoms& atoms) {
 void DemForces::act(const DemAtoms& atoms, const std::vector<DemPair>& pairs,
                     bool first) {
   steps_ += first ? 0 : 1;
-  find_atoms(atoms);
   gaps_.clear();
   add_body_forces(atoms);
   add_bond_forces(atoms, first);

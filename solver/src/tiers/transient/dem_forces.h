@@ -30,6 +30,8 @@ class DemForces {
   /// Ends the interval: impulses over `duration`.
   DemStep finish(double duration, const std::vector<int>& ids);
 
+  /// Whenever LIGGGHTS may have renumbered its atoms.
+  void locate(const DemAtoms& atoms);
   /// All forces at the present positions are added to LIGGGHTS'; touching colloids are
   /// arrested and bonded.  `first`: of the interval, before its first sub-step.
   void act(const DemAtoms& atoms, const std::vector<DemPair>& pairs, bool first);
@@ -58,7 +60,6 @@ class DemForces {
   };
 
   Slot& slot(int id);
-  void find_atoms(const DemAtoms& atoms);
   void add_body_forces(const DemAtoms& atoms);
   void add_bond_forces(const DemAtoms& atoms, bool first);
   void add_pair(const DemAtoms& atoms, const DemPair& pair);
