@@ -135,6 +135,7 @@ TEST(DemRestart, OfRetainedColloidsAloneWorks) {
   DemOptions options = everything(true);
   options.surfaces.rules.grains_attach = false;
   options.permanent_bonds = true;
+  options.lubrication = false;  // would keep the newcomer away for longer
   Dem first(options, kGrains);
   first.add({4, {1e-5, 3e-5, 9e-5}, {}, {}, true});
   first.add({2, {1e-5 + 2.0 * kRadius + 2e-9, 3e-5, 9e-5}, {}, {}});
