@@ -1,0 +1,34 @@
+// Sub-grid lubrication, solved together with the drag.                    MODEL (T-D5)
+#pragma once
+
+#include <vector>
+
+#include "core/vec3.h"
+
+namespace colloid {
+
+/// Resistance to approach [N s/m] at the gap h of surfaces of reduced radius R:
+/// 6 pi mu R^2 (1/h - 1/cut), zero beyond the cut, constant below `floor`.
+double lubrication_resistance(double viscosity, double reduced_radius, double gap,
+                              double cut, double floor);
+
+/// One narrow gap.  Slots: where a colloid's velocity is in the arrays; -1: at rest.
+struct NarrowGap {
+  int first = -1;
+  int second = -1;
+  Vec3 normal;              ///< unit, from the second to the first
+  double resistance = 0.0;  ///< [N s/m]
+  double force = 0.0;       ///< result: on the first along the normal [N]
+};
+
+/// Velocities that obey, for every colloid and gap,
+///
+///     D (v - v_0) = sum of +- force n,   force = -resistance n . (v_first - v_second)
+///
+/// where v_0 is what `velocity` holds on entry, and D what `inertia` holds [N s/m]:
+/// sweeps over the gaps until no force changes.  ConvergenceError if that does not
+/// happen.
+void solve_lubrication(std::vector<NarrowGap>& gaps, const std::vector<double>& inertia,
+                       std::vector<Vec3>& velocity);
+
+}  // namespace colloid
