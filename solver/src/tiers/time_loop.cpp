@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "physics/barrier_escape.h"
 #include "tiers/retention.h"
+#include "tiers/run_record.h"
 
 namespace colloid {
 
@@ -267,22 +268,9 @@ void TimeLoop::inject_due() {
 // False if something is in the way.
 bool TimeLoop::inject(int index) {
   const InjectedColloid& colloid = sequence_.at(index);
-  const double room = 2.0 * radius_ + parts_.contacts.rules.colloid_gap;
-  for (const RigidBody& body : state_.bodies) {
-    for (std::size_t m = 0; m < body.size(); ++m) {
-      if (norm(shortest(parts_.surfaces.box(), colloid.position, body.position(m))) <
-          room) {
-        return false;
-      }
-    }
-  }
-  std::vector<NearSurface> near;
-  parts_.surfaces.near(colloid.position, near);
-  for (const NearSurface& surface : near) {
-    if (surface.id.kind == SurfaceId::Kind::colloid &&
-        surface.distance + surface.radius < room) {
-      return false;
-    }
+  if (!has_room(state_, parts_.surfaces, colloid.position,
+                2.0 * radius_ + parts_.contacts.rules.colloid_gap)) {
+    return false;
   }
   MobileColloid mobile;
   mobile.id = first_injected_ + index;
@@ -611,49 +599,13 @@ Forcing TimeLoop::thermal_forcing(double longest) const {
 }
 
 SeriesRow TimeLoop::series_row() const {
-  const Realisation& r = state_.realisation;
-  SeriesRow row;
-  row.time = state_.time;
-  row.critical_diameter = critical_.value;
-  row.permeability = parts_.flow.permeability();
-  row.permeability_ratio = row.permeability / first_permeability_;
-  row.injected = first_injected_ + state_.next_injection;
-  row.delayed = static_cast<long>(state_.delayed.size());
-  for (const RigidBody& body : state_.bodies) {
-    row.mobile += static_cast<long>(body.size());
-    row.bonded += body.attached() ? static_cast<long>(body.size()) : 0;
-  }
-  row.retained = static_cast<long>(r.retained.size());
-  for (const RetainedColloid& colloid : r.retained) {
-    row.first_layer += colloid.layer == Layer::first ? 1 : 0;
-    row.multilayer += colloid.layer == Layer::multilayer ? 1 : 0;
-    row.wall_layer += colloid.layer == Layer::wall ? 1 : 0;
-  }
-  row.traversed = r.counts.traversed;
-  return row;
-}
-
-Frame TimeLoop::frame() const {
-  Frame out;
-  out.step = state_.next_output;
-  out.time = state_.time;
-  for (const RetainedColloid& colloid : state_.realisation.retained) {
-    out.colloids.push_back({static_cast<int>(colloid.colloid), colloid.position, Vec3{},
-                            ColloidState::retained, 2.0 * radius_});
-  }
-  for (const RigidBody& body : state_.bodies) {
-    for (std::size_t m = 0; m < body.size(); ++m) {
-      out.colloids.push_back(
-          {body.members[m].id, body.position(m), body.velocity_of(m),
-           body.attached() ? ColloidState::bonded : ColloidState::mobile, 2.0 * radius_});
-    }
-  }
-  return out;
+  return make_series_row(state_, critical_.value, parts_.flow.permeability(),
+                         first_permeability_, first_injected_);
 }
 
 void TimeLoop::record() {
   state_.realisation.series.push_back(series_row());
-  state_.realisation.frames.push_back(frame());
+  state_.realisation.frames.push_back(make_frame(state_, radius_));
 }
 
 void TimeLoop::finish() {
@@ -665,9 +617,7 @@ void TimeLoop::finish() {
   if (r.series.empty() || r.series.back().time < state_.time) {
     record();
   }
-  const SeriesRow last = series_row();
-  r.counts = {last.injected, last.delayed,  last.mobile,
-              last.bonded,   last.retained, last.traversed};
+  r.counts = final_counts(series_row());
   const IntegratorCounts& c = integrator_.counts();
   r.deterministic = {{"steps", static_cast<double>(c.steps)},
                      {"rejected_steps", static_cast<double>(c.rejected)},

@@ -67,7 +67,6 @@ class TimeLoop {
   Forcing thermal_forcing(double longest) const;
   void record();
   SeriesRow series_row() const;
-  Frame frame() const;
   void finish();
 
   const Scene& scene_;

@@ -32,6 +32,17 @@ std::vector<T> gather(const std::vector<T>& own, MPI_Datatype type) {
   return all;
 }
 
+template <class Container>
+void share(Container& values, MPI_Datatype type) {
+  if (!several()) {
+    return;
+  }
+  auto size = static_cast<std::int64_t>(values.size());
+  MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  values.resize(static_cast<std::size_t>(size));
+  MPI_Bcast(values.data(), static_cast<int>(size), type, 0, MPI_COMM_WORLD);
+}
+
 }  // namespace
 
 int this_rank() {
@@ -66,6 +77,14 @@ double largest_over_ranks(double value) {
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
   }
   return value;
+}
+
+void broadcast(std::vector<double>& values) {
+  share(values, MPI_DOUBLE);
+}
+
+void broadcast(std::string& text) {
+  share(text, MPI_CHAR);
 }
 
 std::vector<double> gather_all(const std::vector<double>& own) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace colloid {
@@ -13,6 +14,10 @@ int rank_count();
 /// Sums over all ranks, in place, the same on each.
 void sum_over_ranks(double* values, std::size_t count);
 double largest_over_ranks(double value);
+
+/// Rank 0's values, on every rank.
+void broadcast(std::vector<double>& values);
+void broadcast(std::string& text);
 
 /// The concatenation of every rank's values, in the order of the ranks.
 std::vector<double> gather_all(const std::vector<double>& own);
