@@ -1,5 +1,6 @@
 # The libraries of OpenFOAM v1912 as Debian builds them, and their headers, which Debian ships
-# as source only: OpenFOAM_FOUND, the target OpenFOAM::OpenFOAM.
+# as source only: OpenFOAM_FOUND, the target OpenFOAM::OpenFOAM,
+# and OpenFOAM_WHY_NOT, a reason if they are not found.
 #   PORECLOG_OPENFOAM_HEADERS (cache or environment): a folder with headers, either as
 #   scripts/openfoam_headers.sh makes it or the folder src of OpenFOAM v1912 after its build.
 #   Not given: the script takes them from Debian's source package, once.
@@ -18,10 +19,10 @@ set(headers "${PORECLOG_OPENFOAM_HEADERS}")
 if(NOT headers)
   set(headers "$ENV{PORECLOG_OPENFOAM_HEADERS}")
 endif()
-set(why "")
+set(OpenFOAM_WHY_NOT "")
 if(OpenFOAM_LIBRARY AND NOT headers)
   execute_process(COMMAND bash "${PROJECT_SOURCE_DIR}/scripts/openfoam_headers.sh"
-    OUTPUT_VARIABLE headers OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_VARIABLE why)
+    OUTPUT_VARIABLE headers OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_VARIABLE OpenFOAM_WHY_NOT)
 endif()
 
 set(OpenFOAM_INCLUDE_DIRS "")
@@ -38,12 +39,12 @@ list(LENGTH OpenFOAM_INCLUDE_DIRS found_folders)
 if(NOT found_folders EQUAL 6 OR NOT EXISTS "${headers}")
   set(OpenFOAM_INCLUDE_DIRS "")
   if(headers)
-    set(why "${headers} has no headers of OpenFOAM")
+    set(OpenFOAM_WHY_NOT "${headers} has no headers of OpenFOAM")
   endif()
 endif()
 
 find_package_handle_standard_args(OpenFOAM
-  REQUIRED_VARS OpenFOAM_LIBRARY OpenFOAM_PROJECT_DIR OpenFOAM_INCLUDE_DIRS REASON_FAILURE_MESSAGE "${why}")
+  REQUIRED_VARS OpenFOAM_LIBRARY OpenFOAM_PROJECT_DIR OpenFOAM_INCLUDE_DIRS REASON_FAILURE_MESSAGE "${OpenFOAM_WHY_NOT}")
 
 if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::OpenFOAM)
   add_library(OpenFOAM::OpenFOAM INTERFACE IMPORTED)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what building and testing need on Debian 12; does nothing where all is there.
-# `install_packages.sh build`: only what building needs.
+# `install_packages.sh build`: only what building needs, without the tier transient;
+# `install_packages.sh transient`: with it.
 set -eu
 
 packages=(
@@ -8,11 +9,15 @@ packages=(
   nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libeigen3-dev
   libboost-dev libboost-math-dev libhdf5-dev libsqlite3-dev libssl-dev
 )
+# OpenFOAM's headers are in no package: scripts/openfoam_headers.sh fetches them.
 [ "${1-}" = build ] || packages+=(
+  openfoam libopenfoam libliggghts-dev libopenmpi-dev openmpi-bin bzip2
+)
+[ -n "${1-}" ] || packages+=(
   libgtest-dev libgmock-dev libbenchmark-dev python3-h5py python3-numpy
   clang-format-14 clang-tidy-14 libomp-14-dev gnuplot-nox
   chromium fonts-liberation
-  slurmctld slurmd slurm-client munge openmpi-bin libopenmpi-dev
+  slurmctld slurmd slurm-client munge
 )
 
 missing=()

@@ -32,7 +32,7 @@ echo "${mirrors:-http://deb.debian.org/debian/ bookworm main}" |
 as_here=(
   -o "Dir::Etc::SourceList=$work/sources.list" -o Dir::Etc::SourceParts=/dev/null
   -o "Dir::State::Lists=$work/lists" -o "Dir::Cache=$work/cache"
-  -o APT::Sandbox::User=root -o Acquire::Languages=none
+  -o APT::Sandbox::User=root -o Acquire::Languages=none -o Acquire::http::Timeout=20
 )
 cd "$work/source"
 if ! { apt-get -q "${as_here[@]}" -o APT::Update::Error-Mode=any update &&

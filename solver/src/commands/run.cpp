@@ -181,12 +181,12 @@ class Run : public Command {
   int run() const override {
     const SceneFile file = read_scene(scene_);
     check_starting_colloids(file);
+    RunOptions options;
+    options.seed = parse_seed(seed_, "--seed");
     const TierDecision decision = choose_tier(file.scene, tiers_, threads_);
     if (!decision.warning.empty()) {
       std::cerr << fmt::format("{}: {}\n", tiers_.program, decision.warning);
     }
-    RunOptions options;
-    options.seed = parse_seed(seed_, "--seed");
     options.tier_reason = decision.reason;
     options.checkpoint = checkpoint_;
     options.checkpoint_interval = interval_;

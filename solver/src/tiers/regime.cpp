@@ -107,12 +107,13 @@ Regime analyse_regime(const Scene& scene, const FlowScales& scales) {
   c.reynolds_particle = particle_reynolds(fluid.density, scales.inlet_speed,
                                           colloids.diameter, fluid.viscosity);
   c.stokes = stokes_number(colloids.density, a, scales.inlet_speed, fluid.viscosity);
-  c.stokes_largest =
-      stokes_number(colloids.density, a, scales.largest_speed, fluid.viscosity);
   c.peclet = peclet_number(scales.inlet_speed, a,
                            diffusivity(fluid.temperature, fluid.viscosity, a));
   c.settling_speed = settling_speed(colloids.density, fluid.density, norm(scene.gravity),
                                     a, fluid.viscosity);
+  c.stokes_largest = stokes_number(
+      colloids.density, a, std::max(scales.largest_speed, std::abs(c.settling_speed)),
+      fluid.viscosity);
   c.gravity_number = scales.inlet_speed > 0.0
                          ? gravity_number(c.settling_speed, scales.inlet_speed)
                      : std::abs(c.settling_speed) > 0.0 ? HUGE_VAL

@@ -34,7 +34,7 @@ struct PairRegime {
 struct ColloidRegime {
   double reynolds_particle = 0.0;
   double stokes = 0.0;          ///< at the inlet's speed
-  double stokes_largest = 0.0;  ///< at the largest speed
+  double stokes_largest = 0.0;  ///< at the largest speed, of the liquid or of settling
   double peclet = 0.0;          ///< at the inlet's speed, the smallest
   double settling_speed = 0.0;  ///< [m/s]
   double gravity_number = 0.0;
