@@ -138,6 +138,29 @@ TEST(DemBonds, OfMobileColloidsMakeARigidBody) {
   EXPECT_EQ(dem.aggregate(0), (std::vector<int>{0, 1}));
 }
 
+// Reference  a torque on one of them turns both, across the pair as above, about its axis
+//            at T / (2 torsion).
+// Tolerance  as above: 1e-3.
+TEST(DemBonds, OfMobileColloidsNeitherBendNorTwist) {
+  const double torque = 1e-15;
+  const double about_axis = torque / (2.0 * kTorsion);
+  const double across = torque / (0.5 * kDrag * kLength * kLength + 2.0 * kTorsion);
+  for (const Vec3& axis : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
+    Dem dem(bonding(), {});
+    dem.add({0, kMiddle - Vec3{0.5 * kLength, 0.0, 0.0}, {}, {}});
+    dem.add({1, kMiddle + Vec3{0.5 * kLength, 0.0, 0.0}, {}, {}});
+    DemLoad turned = stokes_drag(0, {});
+    turned.torque = torque * axis;
+    for (int i = 0; i < 10; ++i) {
+      dem.advance(4e-5, {turned, stokes_drag(1, {})});
+    }
+    const double rate = axis.x > 0.0 ? about_axis : across;
+    for (const DemState& state : dem.states()) {
+      EXPECT_NEAR(dot(state.spin, axis) / rate, 1.0, 1e-3);
+    }
+  }
+}
+
 TEST(DemBonds, JoinNoMobileColloidsWithoutAggregates) {
   DemOptions options = bonding();
   options.surfaces.rules.aggregates = false;

@@ -171,6 +171,28 @@ TEST(DemContact, ReturnsTheFractionOfRestitution) {
   }
 }
 
+TEST(DemContact, ReturnsTheSameFromARetainedColloid) {
+  const Vec3 grain = kMiddle - Vec3{0.0, 0.0, kGrainRadius + kRadius};
+  for (const bool arrested : {true, false}) {
+    DemOptions options = inert();
+    options.surfaces.rules.grains_attach = true;
+    Dem dem(options, {{grain, kGrainRadius}});
+    dem.add({1, kMiddle, {}, {}, !arrested});
+    dem.advance(options.step, {});  // it touches the grain
+    ASSERT_TRUE(dem.states().at(0).held);
+    dem.add({0,
+             kMiddle + Vec3{0.0, 0.0, 2.0 * kRadius + 3.3e-9},
+             {0.0, 0.0, -kImpactSpeed},
+             {}});
+    const Impact impact = follow(dem, options.step, [](const std::vector<DemState>& s) {
+      return norm(s.at(0).position - s.at(1).position) - 2.0 * kRadius;
+    });
+    EXPECT_NEAR(
+        std::log(impact.after.velocity.z / kImpactSpeed) / std::log(options.restitution),
+        1.0, 0.5 * wall_phase(options.step));
+  }
+}
+
 TEST(DemContact, SlidesByCoulombsFriction) {
   for (const double step : {5e-8, 2.5e-8}) {
     DemOptions options = inert();

@@ -31,6 +31,7 @@ TEST(DemErrors, RefusesAStepBeyondItsLimitAndNamesIt) {
   EXPECT_THAT(message, HasSubstr("Rayleigh"));
   options.step = 0.99 * limit;
   EXPECT_EQ(Dem(options, {}).warnings().size(), 1U);
+  EXPECT_EQ(advised_step(options), 5e-8);  // of the reference scene
   options.step = 0.49 * limit;
   EXPECT_TRUE(Dem(options, {}).warnings().empty());
 }

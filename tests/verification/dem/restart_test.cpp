@@ -131,6 +131,28 @@ TEST_P(DemRestart, ContinuesBitByBit) {
 
 INSTANTIATE_TEST_SUITE_P(Aggregates, DemRestart, ::testing::Bool());
 
+TEST(DemRestart, OfBondsUnderLoadContinuesBitByBit) {
+  const DemOptions options = bonding();
+  const double length = 2.0 * kRadius + 3e-9;
+  std::vector<DemLoad> loads{stokes_drag(1, {}, {1e-9, 0.0, 0.0}),
+                             stokes_drag(3, {}, {0.0, 0.0, 2e-9})};
+  loads[1].torque = {0.0, 1e-15, 2e-15};
+  Dem first(options, {});
+  first.add({0, kMiddle, {}, {}, true});
+  first.add({1, kMiddle + Vec3{0.0, length, 0.0}, {}, {}});
+  first.add({3, {5e-5, 5e-5, 5e-5}, {}, {}});
+  first.add({4, {5e-5 + length, 5e-5, 5e-5}, {}, {}});
+  first.advance(5e-5, loads);
+  ASSERT_EQ(first.bonds().size(), 2U);
+  Dem second(options, {});
+  second.restore(first.save());
+  for (Dem* dem : {&first, &second}) {
+    dem->advance(5e-5, loads);
+  }
+  expect_same(first.states(), second.states());
+  EXPECT_GT(norm(first.states().at(1).spin), 1.0);
+}
+
 TEST(DemRestart, OfRetainedColloidsAloneWorks) {
   DemOptions options = everything(true);
   options.surfaces.rules.grains_attach = false;

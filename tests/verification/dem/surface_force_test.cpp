@@ -55,14 +55,18 @@ TEST(DemSurfaceForces, OfTwoColloidsIsTheSlopeOfTheirEnergyOnBoth) {
 
 TEST(DemSurfaceForces, OfAWallAttractsOnlyIfItIsAdhesive) {
   DemOptions options = long_range();
-  const auto force = [&options] {
+  const auto force = [&options](double gap = 2e-8) {
     Dem dem(options, {});
-    dem.add({0, {2e-4 - kRadius - 2e-8, 1e-4, 1e-4}, {}, {}});
+    dem.add({0, {2e-4 - kRadius - gap, 1e-4, 1e-4}, {}, {}});
     return force_on_first(dem).x;
   };
   EXPECT_EQ(force(), 0.0);
   options.surfaces.rules.walls_attach = true;
   EXPECT_NEAR(force() / -slope(options.surfaces.wall.forces, 2e-8), 1.0, 1e-6);
+  const double range =
+      interaction_range(options.surfaces.wall.forces, options.least_surface_force);
+  EXPECT_GT(force(0.999 * range), 0.0);
+  EXPECT_EQ(force(1.001 * range), 0.0);
 }
 
 TEST(DemSurfaceForces, AreOffBeyondTheirRangeAndWithoutTheOption) {

@@ -113,7 +113,7 @@ struct DemStepLimits {
 };
 DemStepLimits step_limits(const DemOptions& options);
 
-/// 5e-8 s, or less where that is beyond a third of the limit.
+/// 5e-8 s, or less where that is more than 36 % of the limit.
 double advised_step(const DemOptions& options);
 
 class Dem {
