@@ -29,14 +29,15 @@ struct ImmersedEntry {
   Vec3 arm;               ///< from the body's centre (nearest image) to the cell's [m]
 };
 
-/// Over nu/h^2: the rate at which cells inside a body follow it, and the largest
-/// contribution of a link.  What leaks is its reciprocal.
+/// Over nu/h^2 + 1/dt: the rate at which cells inside a body follow it; over nu/h^2: the
+/// largest contribution of a link.  What leaks is its reciprocal.
 constexpr double kRigid = 1e3;
 
 /// From `centre` to `x` by the shortest way through periodic faces [m].
 Vec3 nearest_arm(const Box& box, const Vec3& centre, const Vec3& x);
 
-/// Entries of all bodies, by body, then by cell.  `viscosity`: kinematic [m^2/s].
+/// Entries of all bodies, by body, then by cell, those inside without the 1/dt.
+/// `viscosity`: kinematic [m^2/s].
 std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh& mesh,
                                    const std::vector<Sphere>& bodies, double viscosity);
 

@@ -344,9 +344,10 @@ struct TransientFlow::Impl {
 
   // Makes the flux of a mapped field free of divergence.
   void project(const std::vector<FlowBody>& bodies) {
-    const std::vector<ImmersedEntry> entries = immersed(bodies);
+    constexpr double kAnyStep = 1.0;  // the corrected flux does not depend on it
+    const std::vector<ImmersedEntry> entries = immersed(bodies, kAnyStep);
     std::vector<MomentumBody> held(spheres.size());
-    PressureCorrection correction(*mesh, levels.box, spheres, entries, held, 1.0);
+    PressureCorrection correction(*mesh, levels.box, spheres, entries, held, kAnyStep);
     volScalarField dp(io("dp", *mesh), *mesh,
                       Foam::dimensionedScalar("dp", Foam::sqr(Foam::dimVelocity), 0.0),
                       correction_types());
@@ -361,7 +362,7 @@ struct TransientFlow::Impl {
   // --- one step -----------------------------------------------------------------------
 
   // Entries of grains first, then of bodies; `spheres` has the same order.
-  std::vector<ImmersedEntry> immersed(const std::vector<FlowBody>& bodies) {
+  std::vector<ImmersedEntry> immersed(const std::vector<FlowBody>& bodies, double dt) {
     const std::size_t grains = scene.geometry.spheres.size();
     if (fixed_spheres.size() != grains) {
       fixed_spheres.clear();
@@ -380,6 +381,9 @@ struct TransientFlow::Impl {
     for (ImmersedEntry entry : immerse(levels, octree, moving, viscosity)) {
       entry.body += static_cast<int>(grains);
       entries.push_back(entry);
+    }
+    for (ImmersedEntry& entry : entries) {
+      entry.strength += entry.solid ? kRigid / dt : 0.0;
     }
     return entries;
   }
@@ -416,7 +420,7 @@ struct TransientFlow::Impl {
     adapt(bodies);
     time->setDeltaT(dt, false);
     ++*time;
-    const std::vector<ImmersedEntry> entries = immersed(bodies);
+    const std::vector<ImmersedEntry> entries = immersed(bodies, dt);
     std::vector<MomentumBody> moved = momentum_bodies(bodies, dt);
     fields->velocity.storeOldTime();
     std::vector<Six> reaction;
