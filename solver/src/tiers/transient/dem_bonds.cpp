@@ -9,7 +9,14 @@ namespace colloid {
 
 namespace {
 
-constexpr double kDamping = 0.7;  // over the critical
+constexpr double kDamping = 0.15;      // over the critical, of a pair along its line
+constexpr double kAcross = 2.0 / 7.0;  // k_t / k: a pair's frequency as along it
+constexpr double kAbout = 0.1;         // k_b / (k a^2)
+
+double mass_of(const DemOptions& options) {
+  const double a = options.radius;
+  return options.density * 4.0 / 3.0 * kPi * a * a * a;
+}
 
 }  // namespace
 
@@ -21,18 +28,32 @@ BondStiffness bond_stiffness(const DemOptions& options) {
   const double overlap = std::pow(
       options.surfaces.colloid.pull_off / (4.0 / 3.0 * modulus * std::sqrt(0.5 * a)),
       2.0 / 3.0);
-  const double mass = options.density * 4.0 / 3.0 * kPi * a * a * a;
   BondStiffness k;
   // Without a pull-off there is no overlap to speak of: a millionth of the radius.
   k.normal = 2.0 * modulus * std::sqrt(0.5 * a * std::max(overlap, 1e-6 * a));
-  // Equal frequencies: 2/m along, 7/m across, 5/(m a^2) about are the inverse inertias.
-  k.across = 2.0 / 7.0 * k.normal;
-  k.about = 2.0 / 5.0 * k.normal * a * a;
-  const double rate = std::sqrt(2.0 * k.normal / mass);
+  k.across = kAcross * k.normal;
+  k.about = kAbout * k.normal * a * a;
+  const double rate = std::sqrt(2.0 * k.normal / mass_of(options));
   k.normal_damping = 2.0 * kDamping * k.normal / rate;
   k.across_damping = 2.0 * kDamping * k.across / rate;
   k.about_damping = 2.0 * kDamping * k.about / rate;
   return k;
+}
+
+double longest_bond_step(const DemOptions& options) {
+  // Stiffness over inertia of any motion is at most (differences squared are at most
+  // twice the squares, sums of four at most four times; the sum of n n over twelve bonds
+  // is 4)
+  //     2 4 k/m + 4 8 k_t/m                        of places
+  //     (4 8 k_t + 2 12 k_b/a^2) / (2/5 m)         of spins
+  // in units of the pair's 2 k/m:
+  const double places = 4.0 + 16.0 * kAcross;
+  const double spins = (16.0 * kAcross + 12.0 * kAbout) / 0.4;
+  const double most = std::max(places, spins);
+  // Leapfrog with damping of the velocity before: 4 - 4 z q s - q s^2 > 0 for the damping
+  // z, the ratio q = `most` and the phase s = rate dt.
+  const double rate = std::sqrt(2.0 * bond_stiffness(options).normal / mass_of(options));
+  return (std::sqrt(4.0 * kDamping * kDamping + 4.0 / most) - 2.0 * kDamping) / rate;
 }
 
 BondForce bond_force(Bond& bond, const BondStiffness& k, const Vec3& offset,

@@ -22,6 +22,9 @@ struct BondStiffness {
 /// k: Hertz' stiffness at the overlap where two colloids repel with their pull-off.
 BondStiffness bond_stiffness(const DemOptions& options);
 
+/// Longest stable sub-step [s] of a cluster in which every colloid has twelve bonds.
+double longest_bond_step(const DemOptions& options);
+
 /// Plain: is saved as bytes.
 struct Bond {
   std::int32_t first = -1;  ///< ids

@@ -35,21 +35,20 @@ DemStepLimits step_limits(const DemOptions& options) {
   const double mass = options.density * 4.0 / 3.0 * kPi * a * a * a;
   DemStepLimits limits;
   limits.rayleigh = kPi * a * std::sqrt(options.density / shear) / (0.1631 * nu + 0.8766);
-  // Leapfrog is stable for w dt < 2; a row of stiffness k between two masses has
-  // w^2 = 2k/m, and with z rows on each colloid (Gershgorin) w^2 <= 2 z k/m.
-  const auto limit = [&](double stiffness, double rows) {
-    return stiffness > 0.0 ? 2.0 / std::sqrt(2.0 * rows * stiffness / mass) : HUGE_VAL;
+  // Leapfrog is stable for w dt < 2; a spring of stiffness k between two masses has
+  // w^2 = 2k/m, and with z springs on each colloid (Gershgorin) w^2 <= 2 z k/m.
+  const auto limit = [&](double stiffness) {
+    return stiffness > 0.0 ? 2.0 / std::sqrt(2.0 * kNeighbours * stiffness / mass)
+                           : HUGE_VAL;
   };
-  limits.bonds = options.surfaces.rules.colloids_attach
-                     ? limit(bond_stiffness(options).normal, kNeighbours)
-                     : HUGE_VAL;
+  limits.bonds =
+      options.surfaces.rules.colloids_attach ? longest_bond_step(options) : HUGE_VAL;
   limits.surface_forces = HUGE_VAL;
   if (options.long_range_forces) {
     for (const PairContact* contact :
          {&options.surfaces.grain, &options.surfaces.wall, &options.surfaces.colloid}) {
       const DemSurfaceForce force(*contact, options.least_surface_force, false);
-      limits.surface_forces =
-          std::min(limits.surface_forces, limit(force.steepest(), kNeighbours));
+      limits.surface_forces = std::min(limits.surface_forces, limit(force.steepest()));
     }
   }
   return limits;
