@@ -202,6 +202,9 @@ void declare(Fields& f, Fidelity& fidelity) {
   f.choice({"coupling", "of fluid and colloids (tier transient)"}, fidelity.coupling);
   f.integer({"refinement", "times the cell is halved at colloids (tier transient)"},
             between(0.0, 6.0), fidelity.refinement);
+  f.integer({"subiterations",
+             "passes of momentum and pressure in a flow step (tier transient)"},
+            between(1.0, 20.0), fidelity.subiterations);
   f.integer({"wall_refinement",
              "times the cell is halved at surfaces of grains (tier transient)"},
             between(0.0, 1.0), fidelity.wall_refinement);

@@ -130,6 +130,7 @@ struct Fidelity {
   double courant = 0.3;  ///< largest Courant number (tier transient) [-]
   Coupling coupling = Coupling::implicit;
   int refinement = 1;       ///< halvings of the cell at colloids (tier transient)
+  int subiterations = 1;    ///< passes of momentum and pressure a step (tier transient)
   int wall_refinement = 0;  ///< the same at the surfaces of grains (tier transient)
   double dem_step = 50e-9;  ///< of the colloids' motion and contacts (tier transient) [s]
 };

@@ -13,8 +13,8 @@ constexpr double kFraction = 0.125;
 constexpr double kReference = 4.292;
 
 struct Drag {
-  double coefficient = 0.0;      // K
-  double balance = 0.0;          // force on the sphere over that on the liquid
+  double coefficient = 0.0;  // K
+  double balance = 0.0;      // force on the sphere over that on the liquid
   double cells_per_diameter = 0.0;
 };
 
@@ -22,8 +22,9 @@ Drag drag(int cells, double shift, double dt) {
   constexpr double kLength = 1e-4;
   const double a = kLength * std::cbrt(3.0 * kFraction / (4.0 * kPi));
   Scene scene;
-  scene.geometry.box = {{kLength, kLength, kLength},
-                        {kPeriodic, kPeriodic, kPeriodic, kPeriodic, kPeriodic, kPeriodic}};
+  scene.geometry.box = {
+      {kLength, kLength, kLength},
+      {kPeriodic, kPeriodic, kPeriodic, kPeriodic, kPeriodic, kPeriodic}};
   const double h = kLength / cells;
   scene.geometry.spheres = {{{0.5 * kLength + shift * h, 0.5 * kLength + 0.7 * shift * h,
                               0.5 * kLength + 0.3 * shift * h},
@@ -42,8 +43,10 @@ TEST(TransientDrag, OfASimpleCubicArrayConvergesAtSecondOrder) {
   const Drag fine = drag(32, 0.0, 1e-3);
   const double coarse_error = coarse.coefficient / kReference - 1.0;
   const double fine_error = fine.coefficient / kReference - 1.0;
-  EXPECT_NEAR(coarse_error, 0.0, 0.03) << coarse.cells_per_diameter << " cells per diameter";
-  EXPECT_NEAR(fine_error, 0.0, 0.0075) << fine.cells_per_diameter << " cells per diameter";
+  EXPECT_NEAR(coarse_error, 0.0, 0.03)
+      << coarse.cells_per_diameter << " cells per diameter";
+  EXPECT_NEAR(fine_error, 0.0, 0.0075)
+      << fine.cells_per_diameter << " cells per diameter";
   // A quarter each: at the finer grid a quarter of the coarser one's error is left.
   EXPECT_GT(std::abs(coarse_error), 2.8 * std::abs(fine_error));
 }
@@ -57,7 +60,8 @@ TEST(TransientDrag, HardlyDependsOnThePlaceInTheGrid) {
 
 // A steady flow does not know the step by which it came to rest.
 TEST(TransientDrag, DoesNotDependOnTheStep) {
-  EXPECT_NEAR(drag(16, 0.0, 1e-4).coefficient / drag(16, 0.0, 1e-2).coefficient, 1.0, 2e-3);
+  EXPECT_NEAR(drag(16, 0.0, 1e-4).coefficient / drag(16, 0.0, 1e-2).coefficient, 1.0,
+              2e-3);
 }
 
 TEST(TransientDrag, BalancesTheForceOnTheLiquid) {

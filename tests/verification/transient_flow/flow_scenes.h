@@ -27,12 +27,13 @@ inline FlowBody free_sphere(const Vec3& centre, double radius, double density,
 inline Scene throat_scene(double inlet_velocity) {
   constexpr double kDiameter = 96.6e-6;
   Scene scene;
-  scene.geometry.box = {{kDiameter, kDiameter, 1.5 * kDiameter},
-                        {kWall, kWall, kWall, kWall, FaceCondition::outlet,
-                         FaceCondition::inlet}};
+  scene.geometry.box = {
+      {kDiameter, kDiameter, 1.5 * kDiameter},
+      {kWall, kWall, kWall, kWall, FaceCondition::outlet, FaceCondition::inlet}};
   for (int corner = 0; corner < 4; ++corner) {
     scene.geometry.spheres.push_back(
-        {{corner % 2 * kDiameter, corner / 2 * kDiameter, 0.5 * kDiameter}, 0.5 * kDiameter});
+        {{corner % 2 * kDiameter, corner / 2 * kDiameter, 0.5 * kDiameter},
+         0.5 * kDiameter});
   }
   scene.drive.inlet_velocity = inlet_velocity;
   return scene;

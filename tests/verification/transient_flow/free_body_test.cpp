@@ -56,24 +56,26 @@ TEST(TransientBody, MovesAsInQuasiSteadyFlow) {
   EXPECT_LT(difference(fine.spin, reference.spin), 0.02);
 }
 
-// The relaxation time is 10 us: steps of 10 and 100 of it, bodies from half to eight times as
-// dense as the liquid.  What is left of the splitting of momentum and pressure after
-// 24 steps of two passes is 0.5 %.
+// The relaxation time is 10 us: steps of 10 and 100 of it, bodies from half to eight
+// times as dense as the liquid.  What is left of the splitting of momentum and pressure
+// after 24 steps of two passes is 0.5 %.
 TEST(TransientBody, KnowsNeitherRatioOfDensitiesNorStep) {
   const Vec3 reference = carried(1.05, 1e-4, 40, 26, 1).velocity;
   for (const double ratio : {0.5, 1.0, 8.0}) {
-    EXPECT_LT(difference(carried(ratio, 1e-3, 24, 26, 2).velocity, reference), 0.02) << ratio;
+    EXPECT_LT(difference(carried(ratio, 1e-3, 24, 26, 2).velocity, reference), 0.02)
+        << ratio;
   }
 }
 
-// Response to a force in a liquid at rest, far from walls: the impulsive start of a sphere,
-// whose speed is that of its mass and half of the displaced liquid's at first, and Stokes'
-// at last.
+// Response to a force in a liquid at rest, far from walls: the impulsive start of a
+// sphere, whose speed is that of its mass and half of the displaced liquid's at first,
+// and Stokes' at last.
 TEST(TransientBody, StartsWithItsAddedMass) {
   Scene scene;
   const double length = 10.0 * kRadius;
-  scene.geometry.box = {{length, length, length},
-                        {kPeriodic, kPeriodic, kPeriodic, kPeriodic, kPeriodic, kPeriodic}};
+  scene.geometry.box = {
+      {length, length, length},
+      {kPeriodic, kPeriodic, kPeriodic, kPeriodic, kPeriodic, kPeriodic}};
   const double volume = 4.0 / 3.0 * kPi * std::pow(kRadius, 3);
   for (const double ratio : {0.5, 1.05, 8.0}) {
     TransientFlow flow(scene, base_cells(25, 25, 25, 1));
@@ -83,9 +85,9 @@ TEST(TransientBody, StartsWithItsAddedMass) {
     const double dt = 1e-8;  // viscous layer: 0.1 um
     const double speed = flow.step(dt, bodies)[0].velocity.x;
     const double mass = force * dt / speed;
-    // Added mass of a simple-cubic array at c = 0.004: 0.5 (1 + 3 c) of the displaced (the
-    // array's mean flow is held at rest by nothing: it drifts with momentum c); what the
-    // viscous layer adds is 9/a sqrt(nu dt/pi) of the displaced mass, 8 %.
+    // Added mass of a simple-cubic array at c = 0.004: 0.5 (1 + 3 c) of the displaced
+    // (the array's mean flow is held at rest by nothing: it drifts with momentum c); what
+    // the viscous layer adds is 9/a sqrt(nu dt/pi) of the displaced mass, 8 %.
     EXPECT_GT(mass / (1000.0 * volume), ratio + 0.45) << ratio;
     EXPECT_LT(mass / (1000.0 * volume), ratio + 0.75) << ratio;
   }

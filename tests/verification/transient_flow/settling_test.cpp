@@ -44,9 +44,9 @@ Fall fall(const Experiment& e, int cells_per_diameter, double until_gap) {
   Fall out;
   double t = 0.0;
   while (bodies[0].sphere.center.z > 0.5 * kDiameter + until_gap) {
-    const double dt = std::min({0.005, 0.3 * flow.courant_time(),
-                                0.3 * flow.cell_at_bodies() /
-                                    std::max(norm(bodies[0].velocity), 1e-6)});
+    const double dt = std::min(
+        {0.005, 0.3 * flow.courant_time(),
+         0.3 * flow.cell_at_bodies() / std::max(norm(bodies[0].velocity), 1e-6)});
     const FlowResponse moved = flow.step(dt, bodies)[0];
     bodies[0].velocity = moved.velocity;
     bodies[0].spin = moved.spin;

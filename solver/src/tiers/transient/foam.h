@@ -5,11 +5,10 @@
 #include "fvCFD.H"
 // fvCFD.H comes first: it has no guards of its own against the names of others.
 #include "OSspecific.H"
+#include "core/vec3.h"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "wallPolyPatch.H"
-
-#include "core/vec3.h"
 
 namespace colloid {
 

@@ -67,7 +67,8 @@ void set_dictionaries(Foam::fvMesh& mesh) {
 }
 
 Foam::word box_face_name(int face) {
-  constexpr const char* kNames[] = {"xMinus", "xPlus", "yMinus", "yPlus", "zMinus", "zPlus"};
+  constexpr const char* kNames[] = {"xMinus", "xPlus",  "yMinus",
+                                    "yPlus",  "zMinus", "zPlus"};
   return kNames[face];
 }
 
@@ -78,7 +79,8 @@ Foam::polyPatch* make_patch(const FacePatch& patch, int index, const OctreeLevel
                                         Foam::Pstream::myProcNo(), patch.which);
   }
   if (patch.kind == FacePatch::Kind::solid) {
-    return Foam::polyPatch::New("wall", "solid", patch.size, patch.start, index, boundary).ptr();
+    return Foam::polyPatch::New("wall", "solid", patch.size, patch.start, index, boundary)
+        .ptr();
   }
   const Foam::word name = box_face_name(patch.which);
   if (levels.box.face(patch.which) == FaceCondition::periodic) {
@@ -90,8 +92,8 @@ Foam::polyPatch* make_patch(const FacePatch& patch, int index, const OctreeLevel
         Foam::coupledPolyPatch::TRANSLATIONAL, Foam::Zero, Foam::Zero, foam(separation));
   }
   const bool wall = levels.box.face(patch.which) == FaceCondition::wall;
-  return Foam::polyPatch::New(wall ? "wall" : "patch", name, patch.size, patch.start, index,
-                              boundary)
+  return Foam::polyPatch::New(wall ? "wall" : "patch", name, patch.size, patch.start,
+                              index, boundary)
       .ptr();
 }
 
@@ -115,7 +117,8 @@ std::unique_ptr<Foam::Time> make_time() {
                                       false);
 }
 
-std::unique_ptr<Foam::fvMesh> make_foam_mesh(const Foam::Time& time, const OctreeLevels& levels,
+std::unique_ptr<Foam::fvMesh> make_foam_mesh(const Foam::Time& time,
+                                             const OctreeLevels& levels,
                                              const OctreeMesh& octree) {
   Foam::pointField points(static_cast<Foam::label>(octree.points.size()));
   for (std::size_t i = 0; i < octree.points.size(); ++i) {

@@ -17,8 +17,8 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// The system of one step: OpenFOAM's matrix with what its own segregated solver would add,
-// the entries, and the bodies.
+// The system of one step: OpenFOAM's matrix with what its own segregated solver would
+// add, the entries, and the bodies.
 class MomentumSystem {
  public:
   MomentumSystem(Foam::fvVectorMatrix& matrix, const std::vector<ImmersedEntry>& entries,
@@ -64,7 +64,8 @@ class MomentumSystem {
     for (std::size_t e = 0; e < entries_.size(); ++e) {
       const ImmersedEntry& entry = entries_[e];
       if (bodies_[at(entry.body)].free) {
-        add(y, entry.cell, rigid_velocity(sums[at(entry.body)], entry.arm) * -weights_[e]);
+        add(y, entry.cell,
+            rigid_velocity(sums[at(entry.body)], entry.arm) * -weights_[e]);
       }
     }
   }
@@ -148,7 +149,8 @@ class MomentumSystem {
     for (std::size_t e = 0; e < entries_.size(); ++e) {
       products[at(entries_[e].body)] += weights_[e] * motion_products(entries_[e].arm);
     }
-    sum_over_ranks(products.empty() ? nullptr : products.front().data(), 36 * products.size());
+    sum_over_ranks(products.empty() ? nullptr : products.front().data(),
+                   36 * products.size());
     inverse_.assign(bodies_.size(), SixBySix::Zero());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       if (bodies_[b].free) {
@@ -259,8 +261,8 @@ class MomentumSystem {
   Foam::lduInterfaceFieldPtrsList interfaces_;
   Foam::FieldField<Foam::Field, Foam::scalar> boundary_coefficients_;
   Foam::FieldField<Foam::Field, Foam::scalar> internal_coefficients_;
-  std::vector<double> weights_;     // lambda times volume, per entry
-  std::vector<SixBySix> inverse_;   // of inertia + sum of lambda V^T V, per free body
+  std::vector<double> weights_;    // lambda times volume, per entry
+  std::vector<SixBySix> inverse_;  // of inertia + sum of lambda V^T V, per free body
   std::vector<Coarse> coarse_;
   Components source_;
   std::array<scalarField, 3> extra_diagonal_;  // of components y, z beyond that of x
@@ -291,7 +293,8 @@ void add_scaled(Components& y, double s, const Components& x) {
 
 }  // namespace
 
-SolveReport solve_momentum(Foam::fvVectorMatrix& matrix, const std::vector<ImmersedEntry>& entries,
+SolveReport solve_momentum(Foam::fvVectorMatrix& matrix,
+                           const std::vector<ImmersedEntry>& entries,
                            std::vector<MomentumBody>& bodies, double tolerance,
                            int most_iterations) {
   MomentumSystem system(matrix, entries, bodies);

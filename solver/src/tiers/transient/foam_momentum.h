@@ -31,7 +31,8 @@ struct SolveReport {
 /// 1992).  Preconditioner: incomplete LU of A + lambda, plus for each free body the
 /// exact inverse on its rigid motions alone, without which these modes, which the strong
 /// lambda hides from the first, would each cost an iteration.
-SolveReport solve_momentum(Foam::fvVectorMatrix& matrix, const std::vector<ImmersedEntry>& entries,
+SolveReport solve_momentum(Foam::fvVectorMatrix& matrix,
+                           const std::vector<ImmersedEntry>& entries,
                            std::vector<MomentumBody>& bodies, double tolerance,
                            int most_iterations);
 

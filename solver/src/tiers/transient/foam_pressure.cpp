@@ -29,7 +29,8 @@ class RigidPCG : public Foam::lduMatrix::solver {
   RigidPCG(const Foam::word& name, const Foam::lduMatrix& matrix,
            const Foam::FieldField<Foam::Field, Foam::scalar>& boundary,
            const Foam::FieldField<Foam::Field, Foam::scalar>& internal,
-           const Foam::lduInterfaceFieldPtrsList& interfaces, const Foam::dictionary& controls)
+           const Foam::lduInterfaceFieldPtrsList& interfaces,
+           const Foam::dictionary& controls)
       : Foam::lduMatrix::solver(name, matrix, boundary, internal, interfaces, controls) {}
 
   Foam::solverPerformance solve(Foam::scalarField& psi, const Foam::scalarField& source,
@@ -90,8 +91,10 @@ PressureCorrection::PressureCorrection(const Foam::fvMesh& mesh, const Box& box,
       box_(box),
       spheres_(spheres),
       entries_(entries),
-      rate_(unregistered("rate", mesh), mesh, Foam::dimensionedScalar("dt", Foam::dimTime, dt)),
-      beta_(unregistered("beta", mesh), mesh, Foam::dimensionedScalar("b", Foam::dimless, 0.0)),
+      rate_(unregistered("rate", mesh), mesh,
+            Foam::dimensionedScalar("dt", Foam::dimTime, dt)),
+      beta_(unregistered("beta", mesh), mesh,
+            Foam::dimensionedScalar("b", Foam::dimless, 0.0)),
       body_of_(unregistered("bodyOf", mesh), mesh,
                Foam::dimensionedScalar("n", Foam::dimless, -1.0)) {
   std::vector<SixBySix> products(bodies.size(), SixBySix::Zero());
@@ -112,7 +115,8 @@ PressureCorrection::PressureCorrection(const Foam::fvMesh& mesh, const Box& box,
   rate_.correctBoundaryConditions();
   beta_.correctBoundaryConditions();
   body_of_.correctBoundaryConditions();
-  sum_over_ranks(products.empty() ? nullptr : products.front().data(), 36 * products.size());
+  sum_over_ranks(products.empty() ? nullptr : products.front().data(),
+                 36 * products.size());
   inverse_.assign(bodies.size(), SixBySix::Zero());
   free_.resize(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -168,8 +172,10 @@ void PressureCorrection::find_terms() {
     if (!faces.coupled()) {
       continue;
     }
-    const Foam::scalarField other_beta(beta_.boundaryField()[patch].patchNeighbourField());
-    const Foam::scalarField other_body(body_of_.boundaryField()[patch].patchNeighbourField());
+    const Foam::scalarField other_beta(
+        beta_.boundaryField()[patch].patchNeighbourField());
+    const Foam::scalarField other_body(
+        body_of_.boundaryField()[patch].patchNeighbourField());
     const Foam::vectorField delta(faces.delta());
     forAll(faces, i) {
       const int cell = faces.faceCells()[i];
@@ -192,7 +198,8 @@ void PressureCorrection::find_terms() {
     return a.body != b.body ? a.body < b.body : a.cell < b.cell;
   });
   for (const CellTerm& term : terms) {
-    if (!cells_.empty() && cells_.back().cell == term.cell && cells_.back().body == term.body) {
+    if (!cells_.empty() && cells_.back().cell == term.cell &&
+        cells_.back().body == term.body) {
       cells_.back().divergence += term.divergence;
     } else {
       cells_.push_back(term);
@@ -200,7 +207,8 @@ void PressureCorrection::find_terms() {
   }
 }
 
-void PressureCorrection::add_bodies(const Foam::scalarField& x, Foam::scalarField& y) const {
+void PressureCorrection::add_bodies(const Foam::scalarField& x,
+                                    Foam::scalarField& y) const {
   const std::vector<Six> motions = motions_of(x);
   for (const CellTerm& term : cells_) {
     y[term.cell] -= term.divergence.dot(motions[at(term.body)]);
@@ -220,8 +228,8 @@ std::vector<Six> PressureCorrection::motions_of(const Foam::scalarField& dp) con
   return sums;
 }
 
-SolveReport PressureCorrection::solve(Foam::volScalarField& dp, Foam::surfaceScalarField& flux,
-                                      double tolerance) {
+SolveReport PressureCorrection::solve(Foam::volScalarField& dp,
+                                      Foam::surfaceScalarField& flux, double tolerance) {
   Foam::dictionary controls = mesh_.solverDict("p");
   controls.set("relTol", tolerance);
   Foam::fvScalarMatrix equation(Foam::fvm::laplacian(rate_, dp) == Foam::fvc::div(flux));
@@ -241,7 +249,8 @@ SolveReport PressureCorrection::solve(Foam::volScalarField& dp, Foam::surfaceSca
   return {active_iterations, active_initial, active_final};
 }
 
-void PressureCorrection::correct(const Foam::volScalarField& dp, Foam::volVectorField& velocity,
+void PressureCorrection::correct(const Foam::volScalarField& dp,
+                                 Foam::volVectorField& velocity,
                                  std::vector<MomentumBody>& bodies) const {
   const std::vector<Six> motions = motions_of(dp.primitiveField());
   velocity -= rate_ * Foam::fvc::grad(dp);

@@ -11,7 +11,8 @@ namespace colloid {
 
 /// How a correction dp of the (kinematic) pressure moves cells and free bodies:
 ///
-///   (T6)  du = rate (-grad dp) + beta V(dq),  rate = 1/(1/dt + lambda), beta = lambda rate,
+///   (T6)  du = rate (-grad dp) + beta V(dq),  rate = 1/(1/dt + lambda), beta = lambda
+///   rate,
 ///         lambda taken inside bodies alone;   B dq = g^T dp
 ///
 /// where g is the divergence of the bodies' rigid motions in every cell.
@@ -25,8 +26,8 @@ class PressureCorrection {
   /// dt/(1 + lambda dt) of every cell [s].
   const Foam::volScalarField& rate() const { return rate_; }
 
-  /// Makes `flux` free of divergence: solves for dp (starting from what it holds), corrects
-  /// the flux.
+  /// Makes `flux` free of divergence: solves for dp (starting from what it holds),
+  /// corrects the flux.
   SolveReport solve(Foam::volScalarField& dp, Foam::surfaceScalarField& flux,
                     double tolerance);
 

@@ -48,8 +48,8 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
       if (distance2 >= reach * reach) {
         continue;
       }
-      ImmersedEntry entry{static_cast<int>(cell), static_cast<int>(b), 0.0, distance2 < r * r,
-                          arm};
+      ImmersedEntry entry{static_cast<int>(cell), static_cast<int>(b), 0.0,
+                          distance2 < r * r, arm};
       if (entry.solid) {
         entry.strength = kRigid * viscosity / (size * size);
       } else {
@@ -60,8 +60,7 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
             beyond[axis] += step;
             if (dot(beyond, beyond) < r * r) {
               const double theta = cut(arm, axis, step, r);
-              entry.strength +=
-                  viscosity / (h * h) * std::min(1.0 / theta - 1.0, kRigid);
+              entry.strength += viscosity / (h * h) * std::min(1.0 / theta - 1.0, kRigid);
             }
           }
         }

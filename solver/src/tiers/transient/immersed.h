@@ -3,9 +3,10 @@
 //
 // A cell whose centre is inside a body moves with it.  A cell outside of which a
 // neighbour's centre is inside feels the surface where it is: the viscous flux of a link
-// that the surface cuts at the fraction theta of its length is nu (u - V)/(theta h) rather
-// than nu (u - V_nb)/h (Shortley & Weller 1938).  As V is rigid, hence linear in space, the
-// difference is a drag on that cell alone, towards the body's motion at the cell's centre:
+// that the surface cuts at the fraction theta of its length is nu (u - V)/(theta h)
+// rather than nu (u - V_nb)/h (Shortley & Weller 1938).  As V is rigid, hence linear in
+// space, the difference is a drag on that cell alone, towards the body's motion at the
+// cell's centre:
 //
 //     (T2)  lambda = (nu/h^2) sum over cut links of (1/theta - 1)
 //

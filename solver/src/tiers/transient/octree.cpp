@@ -35,7 +35,8 @@ class MeshBuilder {
  public:
   MeshBuilder(const OctreeLevels& levels, const std::vector<int>& rank_of, int rank)
       : levels_(levels), rank_of_(rank_of), rank_(rank), first_(first_cells(levels)) {
-    finest_ = std::max<int>(0, *std::max_element(levels.level.begin(), levels.level.end()));
+    finest_ =
+        std::max<int>(0, *std::max_element(levels.level.begin(), levels.level.end()));
     for (int axis = 0; axis < 3; ++axis) {
       lattice_[at(axis)] = levels.cells[at(axis)] << finest_;
     }
@@ -195,9 +196,9 @@ class MeshBuilder {
   }
 
   int point(const Index3& p) {
-    const std::int64_t key = (static_cast<std::int64_t>(p[2]) * (lattice_[1] + 1) + p[1]) *
-                                 (lattice_[0] + 1) +
-                             p[0];
+    const std::int64_t key =
+        (static_cast<std::int64_t>(p[2]) * (lattice_[1] + 1) + p[1]) * (lattice_[0] + 1) +
+        p[0];
     if (points_.empty()) {
       points_.assign(static_cast<std::size_t>(lattice_[0] + 1) *
                          static_cast<std::size_t>(lattice_[1] + 1) *
@@ -231,10 +232,11 @@ class MeshBuilder {
 
   // Upper-triangular order: the faces of an owner by neighbour.
   void close_owner(int cell) {
-    std::sort(internal_.begin(), internal_.end(), [](const Internal& x, const Internal& y) {
-      return x.neighbour != y.neighbour ? x.neighbour < y.neighbour
-                                        : x.square.low < y.square.low;
-    });
+    std::sort(internal_.begin(), internal_.end(),
+              [](const Internal& x, const Internal& y) {
+                return x.neighbour != y.neighbour ? x.neighbour < y.neighbour
+                                                  : x.square.low < y.square.low;
+              });
     for (const Internal& face : internal_) {
       add_face(face.square, cell);
       mesh_.neighbour.push_back(face.neighbour);
@@ -355,8 +357,9 @@ std::vector<int> partition(const OctreeLevels& levels, int ranks) {
     return rank_of;
   }
   const int axis = axis_to_cut(levels);
-  require(axis >= 0, "/geometry/box",
-          "is periodic along all axes, which one rank alone can compute; expected 1 rank");
+  require(
+      axis >= 0, "/geometry/box",
+      "is periodic along all axes, which one rank alone can compute; expected 1 rank");
   bool whole_layers = false;
   for (int other = 0; other < 3; ++other) {
     whole_layers = whole_layers || levels.box.periodic(other);
@@ -373,15 +376,18 @@ std::vector<int> partition(const OctreeLevels& levels, int ranks) {
       for (p[c] = 0; p[c] < levels.cells[c]; ++p[c]) {
         const std::size_t base = levels.index(p[0], p[1], p[2]);
         const std::int64_t so_far = whole_layers ? layer_before : before;
-        rank_of[base] = static_cast<int>(std::min<std::int64_t>(ranks - 1, so_far * ranks / total));
-        before += levels.level[base] < 0 ? 0 : std::int64_t{1} << (3 * levels.level[base]);
+        rank_of[base] =
+            static_cast<int>(std::min<std::int64_t>(ranks - 1, so_far * ranks / total));
+        before +=
+            levels.level[base] < 0 ? 0 : std::int64_t{1} << (3 * levels.level[base]);
       }
     }
   }
   return rank_of;
 }
 
-OctreeMesh build_mesh(const OctreeLevels& levels, const std::vector<int>& rank_of, int rank) {
+OctreeMesh build_mesh(const OctreeLevels& levels, const std::vector<int>& rank_of,
+                      int rank) {
   return MeshBuilder(levels, rank_of, rank).build();
 }
 

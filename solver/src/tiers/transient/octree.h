@@ -21,8 +21,8 @@ using Index3 = std::array<int, 3>;
 /// Which base cells are there, and how finely each is cut.
 struct OctreeLevels {
   Box box;
-  Index3 cells{};              ///< of the base grid, along each axis
-  std::vector<int8_t> level;   ///< [nz][ny][nx]: halvings; -1: cell left out (solid)
+  Index3 cells{};             ///< of the base grid, along each axis
+  std::vector<int8_t> level;  ///< [nz][ny][nx]: halvings; -1: cell left out (solid)
 
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(cells[1]) +
@@ -31,7 +31,9 @@ struct OctreeLevels {
            static_cast<std::size_t>(i);
   }
   /// Edge of a base cell along an axis [m].
-  double spacing(int axis) const { return box.size[axis] / cells[static_cast<std::size_t>(axis)]; }
+  double spacing(int axis) const {
+    return box.size[axis] / cells[static_cast<std::size_t>(axis)];
+  }
 };
 
 /// Raises levels until neighbours (across faces, edges and corners, periodic faces too)
@@ -53,14 +55,14 @@ struct FacePatch {
 /// normal out of its owner.  Both sides of a periodic pair, and both ranks of a shared
 /// patch, list the faces in the same order.
 struct OctreeMesh {
-  std::vector<Vec3> points;              ///< [m]
+  std::vector<Vec3> points;               ///< [m]
   std::vector<std::array<int, 4>> faces;  ///< corners
-  std::vector<int> owner;                ///< cell of each face
-  std::vector<int> neighbour;            ///< of the internal faces
-  std::vector<FacePatch> patches;        ///< six of the box, the solid, then ranks
-  std::vector<Vec3> centres;             ///< of the cells [m]
-  std::vector<double> size;              ///< edge of each cell along x [m]
-  std::vector<std::int64_t> global;      ///< number of each cell in the whole grid
+  std::vector<int> owner;                 ///< cell of each face
+  std::vector<int> neighbour;             ///< of the internal faces
+  std::vector<FacePatch> patches;         ///< six of the box, the solid, then ranks
+  std::vector<Vec3> centres;              ///< of the cells [m]
+  std::vector<double> size;               ///< edge of each cell along x [m]
+  std::vector<std::int64_t> global;       ///< number of each cell in the whole grid
 };
 
 /// Rank of every base cell: parts of about equal numbers of cells, cut across the axis
@@ -71,6 +73,7 @@ std::vector<int> partition(const OctreeLevels& levels, int ranks);
 /// Number of cells of the whole grid, and of the first cell of every base cell.
 std::vector<std::int64_t> first_cells(const OctreeLevels& levels);
 
-OctreeMesh build_mesh(const OctreeLevels& levels, const std::vector<int>& rank_of, int rank);
+OctreeMesh build_mesh(const OctreeLevels& levels, const std::vector<int>& rank_of,
+                      int rank);
 
 }  // namespace colloid

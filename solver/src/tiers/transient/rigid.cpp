@@ -12,8 +12,8 @@ SixBySix motion_products(const Vec3& arm) {
 
 SixBySix sphere_inertia(double mass, double radius) {
   SixBySix m = SixBySix::Zero();
-  m.diagonal() << mass, mass, mass, 0.4 * mass * radius * radius, 0.4 * mass * radius * radius,
-      0.4 * mass * radius * radius;
+  m.diagonal() << mass, mass, mass, 0.4 * mass * radius * radius,
+      0.4 * mass * radius * radius, 0.4 * mass * radius * radius;
   return m;
 }
 

@@ -1,9 +1,9 @@
 // The rigid motion of free bodies as unknowns of the fluid's linear systems.
 //                                                                        MODEL section T
 //
-// Per body six unknowns q = (U, W).  Entries tie cells to bodies (immersed.h); eliminating
-// q leaves the fluid's own system plus one term of rank six per free body, which a Krylov
-// method applies as it is.
+// Per body six unknowns q = (U, W).  Entries tie cells to bodies (immersed.h);
+// eliminating q leaves the fluid's own system plus one term of rank six per free body,
+// which a Krylov method applies as it is.
 #pragma once
 
 #include <vector>

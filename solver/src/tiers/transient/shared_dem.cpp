@@ -37,8 +37,9 @@ std::vector<double> packed(const DemStep& step) {
     put(out, mean.torque);
   }
   for (const DemEvent& event : step.events) {
-    out.insert(out.end(), {static_cast<double>(event.kind), static_cast<double>(event.colloid),
-                           static_cast<double>(event.other), event.time});
+    out.insert(out.end(),
+               {static_cast<double>(event.kind), static_cast<double>(event.colloid),
+                static_cast<double>(event.other), event.time});
   }
   return out;
 }
@@ -109,9 +110,9 @@ void SharedDem::share() {
       values.push_back(state.held ? 1.0 : 0.0);
     }
     for (const DemBond& bond : bonds) {
-      values.insert(values.end(), {static_cast<double>(bond.first),
-                                   static_cast<double>(bond.second), bond.rigid ? 1.0 : 0.0,
-                                   bond.tension, bond.largest_tension});
+      values.insert(values.end(),
+                    {static_cast<double>(bond.first), static_cast<double>(bond.second),
+                     bond.rigid ? 1.0 : 0.0, bond.tension, bond.largest_tension});
     }
   }
   broadcast(values);

@@ -6,7 +6,8 @@
 namespace colloid {
 
 std::optional<Realisation> run_transient(const Scene& scene, const RunOptions& options) {
-  require(scene.colloids.has_value(), "/colloids", "is missing; expected the colloids to follow");
+  require(scene.colloids.has_value(), "/colloids",
+          "is missing; expected the colloids to follow");
   return TransientLoop(scene, options).run();
 }
 

@@ -49,7 +49,8 @@ struct Fields {
   Fields(const Foam::fvMesh& mesh, const Foam::wordList& velocity_types,
          const Foam::wordList& pressure_types)
       : velocity(io("U", mesh), mesh,
-                 Foam::dimensionedVector("U", Foam::dimVelocity, Foam::Zero), velocity_types),
+                 Foam::dimensionedVector("U", Foam::dimVelocity, Foam::Zero),
+                 velocity_types),
         pressure(io("p", mesh), mesh,
                  Foam::dimensionedScalar("p", Foam::sqr(Foam::dimVelocity), 0.0),
                  pressure_types),
@@ -96,16 +97,18 @@ struct TransientFlow::Impl {
     return std::max({levels.spacing(0), levels.spacing(1), levels.spacing(2)});
   }
 
-  // Calls f for every base cell with the least and the largest distance of its points from
-  // the sphere's surface, both signed, outside positive (bounds).
+  // Calls f for every base cell with the least and the largest distance of its points
+  // from the sphere's surface, both signed, outside positive (bounds).
   template <class F>
   void for_base_cells(const Sphere& sphere, double reach, const F& f) const {
     std::array<int, 3> low{};
     std::array<int, 3> high{};
     for (int axis = 0; axis < 3; ++axis) {
       const double h = levels.spacing(axis);
-      low[at(axis)] = static_cast<int>(std::floor((sphere.center[axis] - sphere.radius - reach) / h));
-      high[at(axis)] = static_cast<int>(std::floor((sphere.center[axis] + sphere.radius + reach) / h));
+      low[at(axis)] =
+          static_cast<int>(std::floor((sphere.center[axis] - sphere.radius - reach) / h));
+      high[at(axis)] =
+          static_cast<int>(std::floor((sphere.center[axis] + sphere.radius + reach) / h));
     }
     for (int k = low[2]; k <= high[2]; ++k) {
       for (int j = low[1]; j <= high[1]; ++j) {
@@ -137,7 +140,8 @@ struct TransientFlow::Impl {
     for (const FlowBody& body : bodies) {
       const double reach = kRefinedAtLeast * base_size();
       for_base_cells(body.sphere, reach, [&](std::size_t cell, double d) {
-        if (d < reach && levels.level[cell] >= 0 && levels.level[cell] < options.refinement) {
+        if (d < reach && levels.level[cell] >= 0 &&
+            levels.level[cell] < options.refinement) {
           fine = false;
         }
       });
@@ -253,22 +257,22 @@ struct TransientFlow::Impl {
       const Foam::tensor& g = gradient[cell];  // d_i u_j
       const Foam::vector& gp = pressure_gradient[cell];
       own.insert(own.end(), {u.x(), u.y(), u.z(), fields->pressure[cell]});
-      own.insert(own.end(), {g.xx(), g.yx(), g.zx(), g.xy(), g.yy(), g.zy(), g.xz(), g.yz(),
-                             g.zz(), gp.x(), gp.y(), gp.z()});
+      own.insert(own.end(), {g.xx(), g.yx(), g.zx(), g.xy(), g.yy(), g.zy(), g.xz(),
+                             g.yz(), g.zz(), gp.x(), gp.y(), gp.z()});
     }
     const std::vector<double> all = gather_all(own);
     const std::vector<std::int64_t> numbers = gather_all(octree.global);
     out.values.resize(all.size());
     for (std::size_t n = 0; n < numbers.size(); ++n) {
-      std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(n * kValuesPerCell), kValuesPerCell,
-                  out.values.begin() +
-                      static_cast<std::ptrdiff_t>(numbers[n]) * kValuesPerCell);
+      std::copy_n(
+          all.begin() + static_cast<std::ptrdiff_t>(n * kValuesPerCell), kValuesPerCell,
+          out.values.begin() + static_cast<std::ptrdiff_t>(numbers[n]) * kValuesPerCell);
     }
     return out;
   }
 
-  // Fields of this grid from those of another: linear where it is finer, means where it is
-  // coarser, the same numbers elsewhere.
+  // Fields of this grid from those of another: linear where it is finer, means where it
+  // is coarser, the same numbers elsewhere.
   void map(const CellValues& old) {
     const std::vector<std::int64_t> old_first = first_cells(old.levels);
     const std::vector<std::int64_t> first = first_cells(levels);
@@ -285,7 +289,8 @@ struct TransientFlow::Impl {
       if (old_level >= 0) {
         value = mapped(old, old_first[base], level, old_level, child);
       }
-      fields->velocity.primitiveFieldRef()[cell] = Foam::vector(value[0], value[1], value[2]);
+      fields->velocity.primitiveFieldRef()[cell] =
+          Foam::vector(value[0], value[1], value[2]);
       fields->pressure.primitiveFieldRef()[cell] = value[3];
     }
     fields->velocity.correctBoundaryConditions();
@@ -309,7 +314,8 @@ struct TransientFlow::Impl {
       for (int k = 0; k < ratio; ++k) {
         for (int j = 0; j < ratio; ++j) {
           for (int i = 0; i < ratio; ++i) {
-            const double* v = source({c[0] * ratio + i, c[1] * ratio + j, c[2] * ratio + k});
+            const double* v =
+                source({c[0] * ratio + i, c[1] * ratio + j, c[2] * ratio + k});
             for (std::size_t f = 0; f < kFieldsPerCell; ++f) {
               value[f] += v[f] / (ratio * ratio * ratio);
             }
@@ -351,7 +357,8 @@ struct TransientFlow::Impl {
     volScalarField dp(io("dp", *mesh), *mesh,
                       Foam::dimensionedScalar("dp", Foam::sqr(Foam::dimVelocity), 0.0),
                       correction_types());
-    const SolveReport report = correction.solve(dp, fields->flux, options.pressure_tolerance);
+    const SolveReport report =
+        correction.solve(dp, fields->flux, options.pressure_tolerance);
     counts.pressure_iterations += report.iterations;
   }
 
@@ -367,14 +374,16 @@ struct TransientFlow::Impl {
     if (fixed_spheres.size() != grains) {
       fixed_spheres.clear();
       for (const Sphere& grain : scene.geometry.spheres) {
-        fixed_spheres.push_back({grain.center, grain.radius + shift(options.wall_refinement)});
+        fixed_spheres.push_back(
+            {grain.center, grain.radius + shift(options.wall_refinement)});
       }
       fixed_entries = immerse(levels, octree, fixed_spheres, viscosity);
     }
     spheres = fixed_spheres;
     std::vector<Sphere> moving;
     for (const FlowBody& body : bodies) {
-      moving.push_back({body.sphere.center, body.sphere.radius + shift(options.refinement)});
+      moving.push_back(
+          {body.sphere.center, body.sphere.radius + shift(options.refinement)});
       spheres.push_back(moving.back());
     }
     std::vector<ImmersedEntry> entries = fixed_entries;
@@ -399,8 +408,8 @@ struct TransientFlow::Impl {
     for (const FlowBody& body : bodies) {
       MomentumBody m;
       m.free = body.free;
-      m.motion << body.velocity.x, body.velocity.y, body.velocity.z, body.spin.x, body.spin.y,
-          body.spin.z;
+      m.motion << body.velocity.x, body.velocity.y, body.velocity.z, body.spin.x,
+          body.spin.y, body.spin.z;
       if (body.free) {
         const double a = body.sphere.radius;
         const double displaced = 4.0 / 3.0 * Foam::constant::mathematical::pi * a * a * a;
@@ -448,11 +457,11 @@ struct TransientFlow::Impl {
     const volVectorField pressure_gradient(Foam::fvc::grad(p));
     momentum.source() -= mesh->V() * pressure_gradient.primitiveField();
     if (scene.drive.body_force) {
-      momentum.source() += mesh->V() * foam(*scene.drive.body_force * (1.0 / scene.fluid.density));
+      momentum.source() +=
+          mesh->V() * foam(*scene.drive.body_force * (1.0 / scene.fluid.density));
     }
-    const SolveReport solved = solve_momentum(momentum, entries, bodies,
-                                              options.momentum_tolerance,
-                                              kMostMomentumIterations);
+    const SolveReport solved = solve_momentum(
+        momentum, entries, bodies, options.momentum_tolerance, kMostMomentumIterations);
     counts.momentum_iterations += solved.iterations;
     require_converged(solved, "momentum");
     std::vector<Six> reaction = entry_reaction(entries, bodies);
@@ -511,14 +520,15 @@ struct TransientFlow::Impl {
   // What the pressure correction asks of driven bodies.
   void add_reaction(double dt, const volScalarField& dp,
                     const std::vector<ImmersedEntry>& entries,
-                    const std::vector<MomentumBody>& bodies, std::vector<Six>& reaction) const {
+                    const std::vector<MomentumBody>& bodies,
+                    std::vector<Six>& reaction) const {
     const volVectorField gradient(Foam::fvc::grad(dp));
     std::vector<Six> sums(bodies.size(), Six::Zero());
     for (const ImmersedEntry& entry : entries) {
       if (entry.solid && !bodies[at(entry.body)].free) {
         const double beta = entry.strength / (1.0 / dt + entry.strength);
-        sums[at(entry.body)] -=
-            wrench(vec3(gradient[entry.cell]) * (beta * mesh->V()[entry.cell]), entry.arm);
+        sums[at(entry.body)] -= wrench(
+            vec3(gradient[entry.cell]) * (beta * mesh->V()[entry.cell]), entry.arm);
       }
     }
     sum_over_ranks(sums.empty() ? nullptr : sums.front().data(), 6 * sums.size());
@@ -539,8 +549,9 @@ struct TransientFlow::Impl {
     const volVectorField& old = u.oldTime();
     for (const ImmersedEntry& entry : entries) {
       if (entry.solid) {
-        inside[at(entry.body)] += wrench(
-            vec3(u[entry.cell] - old[entry.cell]) * (mesh->V()[entry.cell] / dt), entry.arm);
+        inside[at(entry.body)] +=
+            wrench(vec3(u[entry.cell] - old[entry.cell]) * (mesh->V()[entry.cell] / dt),
+                   entry.arm);
       }
     }
     sum_over_ranks(inside.empty() ? nullptr : inside.front().data(), 6 * inside.size());
@@ -559,7 +570,9 @@ struct TransientFlow::Impl {
       } else {
         load = density * (reaction[grains + b] + inside[grains + b]);
       }
-      out.push_back({{q[0], q[1], q[2]}, {q[3], q[4], q[5]}, {load[0], load[1], load[2]},
+      out.push_back({{q[0], q[1], q[2]},
+                     {q[3], q[4], q[5]},
+                     {load[0], load[1], load[2]},
                      {load[3], load[4], load[5]}});
     }
     grain_force = solid_patch_force();
@@ -604,8 +617,8 @@ struct TransientFlow::Impl {
                                      : std::numeric_limits<double>::infinity();
     }
     if (!std::isfinite(largest_over_ranks(largest))) {
-      throw ConvergenceError(
-          fmt::format("transient flow: unstable, a velocity is infinite in step {}", counts.steps));
+      throw ConvergenceError(fmt::format(
+          "transient flow: unstable, a velocity is infinite in step {}", counts.steps));
     }
   }
 
@@ -649,9 +662,9 @@ struct TransientFlow::Impl {
   OctreeMesh octree;
   std::unique_ptr<Foam::fvMesh> mesh;
   std::unique_ptr<Fields> fields;
-  std::vector<Sphere> fixed_spheres;          // grains, as the flow sees them
-  std::vector<ImmersedEntry> fixed_entries;   // of this grid
-  std::vector<Sphere> spheres;                // grains and bodies of this step
+  std::vector<Sphere> fixed_spheres;         // grains, as the flow sees them
+  std::vector<ImmersedEntry> fixed_entries;  // of this grid
+  std::vector<Sphere> spheres;               // grains and bodies of this step
   Vec3 grain_force;
   TransientFlowCounts counts;
 };
@@ -661,7 +674,8 @@ TransientFlow::TransientFlow(const Scene& scene, const TransientFlowOptions& opt
 
 TransientFlow::~TransientFlow() = default;
 
-std::vector<FlowResponse> TransientFlow::step(double dt, const std::vector<FlowBody>& bodies) {
+std::vector<FlowResponse> TransientFlow::step(double dt,
+                                              const std::vector<FlowBody>& bodies) {
   return impl_->step(dt, bodies);
 }
 
@@ -756,8 +770,9 @@ Vec3 TransientFlow::velocity_at(const Vec3& x) const {
   return found[3] > 0.0 ? Vec3{found[0], found[1], found[2]} * (1.0 / found[3]) : Vec3{};
 }
 
-void TransientFlow::save(std::map<std::string, std::vector<double>>& reals,
-                         std::map<std::string, std::vector<std::int64_t>>& integers) const {
+void TransientFlow::save(
+    std::map<std::string, std::vector<double>>& reals,
+    std::map<std::string, std::vector<std::int64_t>>& integers) const {
   const Impl& impl = *impl_;
   const Fields& fields = *impl.fields;
   std::vector<double> cells;
@@ -775,24 +790,26 @@ void TransientFlow::save(std::map<std::string, std::vector<double>>& reals,
   reals["flow_flux"] = gather_all(flux);
   integers["flow_levels"].assign(impl.levels.level.begin(), impl.levels.level.end());
   const TransientFlowCounts& c = impl.counts;
-  integers["flow_counts"] = {rank_count(),          c.steps, c.grids, c.momentum_iterations,
+  integers["flow_counts"] = {rank_count(), c.steps, c.grids, c.momentum_iterations,
                              c.pressure_iterations};
 }
 
-void TransientFlow::restore(const std::map<std::string, std::vector<double>>& reals,
-                            const std::map<std::string, std::vector<std::int64_t>>& integers) {
+void TransientFlow::restore(
+    const std::map<std::string, std::vector<double>>& reals,
+    const std::map<std::string, std::vector<std::int64_t>>& integers) {
   Impl& impl = *impl_;
   const std::vector<std::int64_t>& counts = integers.at("flow_counts");
-  require(counts[0] == rank_count(), "--checkpoint",
-          fmt::format("was written by {} ranks; expected to go on with as many", counts[0]));
+  require(
+      counts[0] == rank_count(), "--checkpoint",
+      fmt::format("was written by {} ranks; expected to go on with as many", counts[0]));
   const std::vector<std::int64_t>& levels = integers.at("flow_levels");
   std::copy(levels.begin(), levels.end(), impl.levels.level.begin());
   impl.build();
   Fields& fields = *impl.fields;
   // The ranks' parts are one after the other.
   const auto before = [](std::size_t own) {
-    const std::vector<std::int64_t> sizes = gather_all(std::vector<std::int64_t>{
-        static_cast<std::int64_t>(own)});
+    const std::vector<std::int64_t> sizes =
+        gather_all(std::vector<std::int64_t>{static_cast<std::int64_t>(own)});
     return std::accumulate(sizes.begin(), sizes.begin() + this_rank(), std::int64_t{0});
   };
   const double* cell = reals.at("flow_cells").data() +

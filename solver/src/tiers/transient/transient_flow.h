@@ -1,4 +1,5 @@
-// Incompressible flow around rigid spheres, fixed, driven or free, in time. MODEL section T
+// Incompressible flow around rigid spheres, fixed, driven or free, in time. MODEL section
+// T
 //
 // OpenFOAM's finite volumes on the octree grid.  The motion of free bodies is part of the
 // same linear systems as the fluid's: nothing is exchanged from step to step, so no ratio
@@ -41,7 +42,7 @@ struct TransientFlowOptions {
   int outer_iterations = 1;          ///< of momentum and pressure, a step
   double momentum_tolerance = 1e-4;  ///< relative residual of the momentum
   double pressure_tolerance = 1e-3;  ///< relative residual of the pressure
-  double surface_shift = 0.0;        ///< of every surface outwards, over the cell there [-]
+  double surface_shift = 0.0;  ///< of every surface outwards, over the cell there [-]
 };
 
 struct TransientFlowCounts {
@@ -72,9 +73,9 @@ class TransientFlow {
   /// The step at which the largest Courant number is one [s]; infinite at rest.
   double courant_time() const;
 
-  double pressure_drop() const;  ///< inlet minus outlet [Pa]
-  double flow_rate() const;      ///< through the inlet, into the box [m^3/s]
-  Vec3 mean_velocity() const;    ///< over the whole box, solids included [m/s]
+  double pressure_drop() const;           ///< inlet minus outlet [Pa]
+  double flow_rate() const;               ///< through the inlet, into the box [m^3/s]
+  Vec3 mean_velocity() const;             ///< over the whole box, solids included [m/s]
   Vec3 velocity_at(const Vec3& x) const;  ///< of the cell there [m/s]
   /// The flow's on all grains together, in the last step; a body force acts inside
   /// grains too and is part of it [N].

@@ -48,6 +48,7 @@ TransientFlowOptions flow_options(const Scene& scene) {
   options.cells = choose_cells(scene, {});
   options.refinement = scene.fidelity.refinement;
   options.wall_refinement = scene.fidelity.wall_refinement;
+  options.outer_iterations = scene.fidelity.subiterations;
   return options;
 }
 
@@ -55,7 +56,8 @@ double smallest_cell(const Scene& scene) {
   const std::array<int, 3> cells = choose_cells(scene, {});
   double h = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
-    h = std::min(h, scene.geometry.box.size[axis] / cells[static_cast<std::size_t>(axis)]);
+    h = std::min(h,
+                 scene.geometry.box.size[axis] / cells[static_cast<std::size_t>(axis)]);
   }
   return h / (1 << scene.fidelity.refinement);
 }
@@ -65,10 +67,12 @@ Regime regime_of(const Scene& scene, const DepositFlow& flow) {
   search.flow_axis = flow.solver().flow_axis();
   const CriticalDiameter critical =
       critical_diameter(scene.geometry.box, scene.geometry.spheres, search);
-  return analyse_regime(scene, flow_scales(flow.solver(), flow.flow_rate(), critical.value));
+  return analyse_regime(scene,
+                        flow_scales(flow.solver(), flow.flow_rate(), critical.value));
 }
 
-DemOptions dem_options(const Scene& scene, const SurfaceModel& contacts, const Regime& regime) {
+DemOptions dem_options(const Scene& scene, const SurfaceModel& contacts,
+                       const Regime& regime) {
   const Colloids& colloids = *scene.colloids;
   DemOptions options(contacts);
   options.box = scene.geometry.box;
@@ -91,14 +95,16 @@ DemOptions dem_options(const Scene& scene, const SurfaceModel& contacts, const R
 
 void refuse(const Scene& scene, const Regime& regime) {
   require(!regime.colloids->models.brownian.needed, "/fidelity/tier", [&] {
-    return fmt::format("the tier transient has no Brownian motion, but {}; expected "
-                       "\"one_way\" or \"quasi_steady\"",
-                       regime.colloids->models.brownian.reason);
+    return fmt::format(
+        "the tier transient has no Brownian motion, but {}; expected "
+        "\"one_way\" or \"quasi_steady\"",
+        regime.colloids->models.brownian.reason);
   });
   for (std::size_t n = 0; n < scene.geometry.bodies.size(); ++n) {
-    require(!is_driven(scene.geometry.bodies[n]), fmt::format("/geometry/bodies/{}", n),
-            "the tier transient starts with free bodies alone; expected no force, torque or "
-            "velocity");
+    require(
+        !is_driven(scene.geometry.bodies[n]), fmt::format("/geometry/bodies/{}", n),
+        "the tier transient starts with free bodies alone; expected no force, torque or "
+        "velocity");
   }
 }
 
@@ -166,11 +172,12 @@ std::optional<Realisation> TransientLoop::run() {
 void TransientLoop::begin() {
   if (scene_.fidelity.coupling == Coupling::explicit_step) {
     const double relaxation = regime_.colloids->relaxation_time;
-    std::fputs(fmt::format("coupling explicit: stable for flow steps below about {:.1e} s, less "
-                           "where gaps are narrow (MODEL T8)\n",
-                           kExplicitLimit * relaxation)
-                   .c_str(),
-               stderr);
+    std::fputs(
+        fmt::format("coupling explicit: stable for flow steps below about {:.1e} s, less "
+                    "where gaps are narrow (MODEL T8)\n",
+                    kExplicitLimit * relaxation)
+            .c_str(),
+        stderr);
   }
   for (const Body& body : scene_.geometry.bodies) {
     const int id = static_cast<int>(state_.bodies.size());
@@ -183,7 +190,8 @@ void TransientLoop::begin() {
     body.free = false;
   }
   const double width = critical_.value;
-  const double viscous_time = width * width * scene_.fluid.density / scene_.fluid.viscosity;
+  const double viscous_time =
+      width * width * scene_.fluid.density / scene_.fluid.viscosity;
   for (int n = 0; n < kMostSettling; ++n) {
     const double dt = std::min(kSettlingStep * viscous_time,
                                scene_.fidelity.courant * flow_.courant_time());
@@ -200,8 +208,8 @@ bool TransientLoop::stopped() {
     return true;
   }
   if (!options_.checkpoint.empty()) {
-    const bool due =
-        this_rank() == 0 && seconds_since(last_checkpoint_) >= options_.checkpoint_interval;
+    const bool due = this_rank() == 0 &&
+                     seconds_since(last_checkpoint_) >= options_.checkpoint_interval;
     if (largest_over_ranks(due ? 1.0 : 0.0) > 0.0) {
       save();
     }
@@ -225,10 +233,12 @@ void TransientLoop::save() {
   std::vector<double>& forces = checkpoint.reals["forces"];
   for (const auto* list : {&means_, &loads_}) {
     for (const auto& [id, mean] : *list) {
-      forces.insert(forces.end(), {static_cast<double>(id), mean.force.x, mean.force.y,
-                                   mean.force.z, mean.torque.x, mean.torque.y, mean.torque.z});
+      forces.insert(forces.end(),
+                    {static_cast<double>(id), mean.force.x, mean.force.y, mean.force.z,
+                     mean.torque.x, mean.torque.y, mean.torque.z});
     }
-    checkpoint.integers["force_counts"].push_back(static_cast<std::int64_t>(list->size()));
+    checkpoint.integers["force_counts"].push_back(
+        static_cast<std::int64_t>(list->size()));
   }
   checkpoint.reals["deposit_flow"] = deposit_flow_.state();
   checkpoint.reals["first_permeability"] = {first_permeability_};
@@ -261,7 +271,8 @@ void TransientLoop::resume() {
   std::size_t n = 0;
   for (int list = 0; list < 2; ++list) {
     auto& to = list == 0 ? means_ : loads_;
-    const auto size = checkpoint.integers.at("force_counts").at(static_cast<std::size_t>(list));
+    const auto size =
+        checkpoint.integers.at("force_counts").at(static_cast<std::size_t>(list));
     for (std::int64_t i = 0; i < size; ++i, n += 7) {
       const double* v = &forces.at(n);
       to[static_cast<int>(v[0])] = {{v[1], v[2], v[3]}, {v[4], v[5], v[6]}};
@@ -273,8 +284,8 @@ void TransientLoop::resume() {
 }
 
 Vec3 TransientLoop::weight() const {
-  return scene_.gravity * (sphere_volume(radius_) *
-                           (scene_.colloids->density - scene_.fluid.density));
+  return scene_.gravity *
+         (sphere_volume(radius_) * (scene_.colloids->density - scene_.fluid.density));
 }
 
 double TransientLoop::next_output_time() const {
@@ -402,9 +413,9 @@ void TransientLoop::move(double dt) {
 }
 
 std::size_t TransientLoop::place_of(int id) const {
-  const auto found = std::find_if(
-      state_.bodies.begin(), state_.bodies.end(),
-      [&](const RigidBody& body) { return body.members.front().id == id; });
+  const auto found =
+      std::find_if(state_.bodies.begin(), state_.bodies.end(),
+                   [&](const RigidBody& body) { return body.members.front().id == id; });
   return static_cast<std::size_t>(found - state_.bodies.begin());
 }
 
@@ -421,12 +432,13 @@ void TransientLoop::take_states() {
     body.spin = state.spin;
     body.bonds.clear();
     if (!std::isfinite(dot(body.centre, body.centre))) {
-      throw ConvergenceError(fmt::format("position of colloid {}: not a finite number", state.id));
+      throw ConvergenceError(
+          fmt::format("position of colloid {}: not a finite number", state.id));
     }
   }
   for (const DemBond& bond : dem_.bonds()) {
-    for (const auto& [self, other] : {std::pair(bond.first, bond.second),
-                                      std::pair(bond.second, bond.first)}) {
+    for (const auto& [self, other] :
+         {std::pair(bond.first, bond.second), std::pair(bond.second, bond.first)}) {
       const std::size_t b = place_of(self);
       if (b < state_.bodies.size()) {
         state_.bodies[b].bonds.push_back(
@@ -440,7 +452,8 @@ void TransientLoop::handle_events(const std::vector<DemEvent>& events) {
   for (const DemEvent& event : events) {
     const double time = state_.time + event.time;
     for (const int id : {event.colloid, event.other}) {
-      const bool colloid = id == event.colloid || event.kind == DemEvent::Kind::touched_mobile;
+      const bool colloid =
+          id == event.colloid || event.kind == DemEvent::Kind::touched_mobile;
       const std::size_t b = place_of(id);
       if (!colloid || b == state_.bodies.size()) {
         continue;
@@ -521,7 +534,8 @@ void TransientLoop::arrest(int id, double time) {
     const int member = static_cast<int>(colloid.colloid);
     dem_.hold(member);
     means_.erase(member);
-    state_.bodies.erase(state_.bodies.begin() + static_cast<std::ptrdiff_t>(place_of(member)));
+    state_.bodies.erase(state_.bodies.begin() +
+                        static_cast<std::ptrdiff_t>(place_of(member)));
     batch.ids.push_back(member);
     batch.spheres.push_back({colloid.position, radius_});
     r.retained.push_back(std::move(colloid));
@@ -559,10 +573,12 @@ void TransientLoop::handle_rest() {
           return is_surface(surfaces_.box(), surface.id) &&
                  surface.distance - radius_ <= gap + kRestTravel * radius_;
         });
-    const bool held = std::any_of(body.bonds.begin(), body.bonds.end(), [&](const Bond& bond) {
-      return place_of(bond.fixed.index) == state_.bodies.size();
-    });
-    if ((!held && touching < 2) || norm(body.velocity) > limit || deposit_flow_.blocked()) {
+    const bool held =
+        std::any_of(body.bonds.begin(), body.bonds.end(), [&](const Bond& bond) {
+          return place_of(bond.fixed.index) == state_.bodies.size();
+        });
+    if ((!held && touching < 2) || norm(body.velocity) > limit ||
+        deposit_flow_.blocked()) {
       body.slow_since = kNotYet;
     } else if (std::isnan(body.slow_since) ||
                norm(body.centre - body.slow_at) > kRestTravel * radius_) {
