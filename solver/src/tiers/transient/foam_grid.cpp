@@ -1,6 +1,6 @@
 #include "tiers/transient/foam_grid.h"
 
-#include <fmt/format.h>
+#include "pairGAMGAgglomeration.H"
 
 namespace colloid {
 
@@ -21,6 +21,14 @@ struct SolutionRead {
 };
 template struct Access<SchemesRead, &Foam::fvSchemes::read>;
 template struct Access<SolutionRead, &Foam::solution::read>;
+
+// Multigrid pairs cells forwards and backwards in turn, and remembers the turn from one
+// mesh to the next: a continued run would pair them otherwise.
+struct PairingDirection {
+  using type = bool*;
+  friend type member(PairingDirection);
+};
+template struct Access<PairingDirection, &Foam::pairGAMGAgglomeration::forward_>;
 
 Foam::dictionary parse(const char* text) {
   Foam::IStringStream stream{Foam::string(text)};
@@ -147,6 +155,7 @@ std::unique_ptr<Foam::fvMesh> make_foam_mesh(const Foam::Time& time,
         make_patch(octree.patches[i], static_cast<int>(i), levels, mesh->boundaryMesh());
   }
   mesh->addFvPatches(patches, true);
+  *member(PairingDirection()) = true;
   set_dictionaries(*mesh);
   return mesh;
 }
