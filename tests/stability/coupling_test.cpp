@@ -1,0 +1,34 @@
+// The implicit coupling knows no limit where the explicit one has its own.  Rows of the
+// map in results/evidence/stability; ratio of densities 1.05 but where said.
+#include <gtest/gtest.h>
+
+#include "coupling_case.h"
+
+namespace colloid {
+namespace {
+
+constexpr double kRelaxation = 1.03e-5;  // 2 rho_p a^2/(9 mu) [s]
+const Vec3 kPlace{48.3e-6, 48.3e-6, 75e-6};
+constexpr int kCells = 20;
+
+TEST(TransientCoupling, ImplicitStaysBoundedAtAnyStepAndDensity) {
+  for (const double steps_of : {0.01, 1.0, 10.0}) {
+    for (const double ratio : {0.5, 1.05, 8.0}) {
+      const CouplingResult found =
+          coupled_motion(true, ratio, steps_of * kRelaxation, 20, kPlace, kCells);
+      EXPECT_EQ(found.outcome, Outcome::bounded)
+          << steps_of << " relaxation times, density ratio " << ratio;
+    }
+  }
+}
+
+TEST(TransientCoupling, ExplicitDivergesBeyondTheRelaxationTime) {
+  EXPECT_EQ(coupled_motion(false, 1.05, 10.0 * kRelaxation, 20, kPlace, kCells).outcome,
+            Outcome::unstable);
+  // Half of the liquid's density: the added mass alone is as large as the body's.
+  EXPECT_EQ(coupled_motion(false, 0.5, kRelaxation, 20, kPlace, kCells).outcome,
+            Outcome::unstable);
+}
+
+}  // namespace
+}  // namespace colloid
