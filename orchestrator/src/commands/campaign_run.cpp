@@ -16,7 +16,7 @@ namespace colloid {
 namespace {
 
 constexpr std::size_t kTogether = 100;  // results
-constexpr double kLongestLag = 0.2;     // [s] of the database
+constexpr double kLongestLag = 1.0;     // [s] of the database
 
 long& of(std::array<long, 5>& counts, Status status) {
   return counts.at(static_cast<std::size_t>(status));
