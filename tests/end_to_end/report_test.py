@@ -193,6 +193,9 @@ class Report(unittest.TestCase):
         page.feed(self.browse("--dump-dom"))
         self.assertEqual(page.root.get("data-errors"), None)
         self.assertEqual(page.root.get("data-ready"), "1")
+        text = self.browse("--dump-dom")
+        self.assertIn("called for", text, "no table of the regime's models")
+        self.assertNotIn("Regime: ", text, "a note instead of the regime")
         expected = ["sweep", "comparison"] + [f"{f}-{p}" for p in (0, 1) for f in FIGURES]
         self.assertEqual(sorted(page.figures), sorted(expected))
         self.assertEqual(page.bad, [], "an attribute is not a number")
