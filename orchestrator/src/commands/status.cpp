@@ -129,6 +129,7 @@ class StatusCommand : public Command {
       const Ensemble ensemble{static_cast<int>(row["point"].get<std::int64_t>()),
                               row["tier"].get<std::string>(),
                               {},
+                              "",
                               ""};
       const std::string realisation =
           fmt::format("{}/{:06}", folder.ensemble(ensemble), ask.integer(0));
