@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["PORECLOG"]
+SOLVER = os.environ["PORECLOG_SOLVE"]
 SOURCE = pathlib.Path(os.environ["PORECLOG_SOURCE_DIR"])
 
 
@@ -80,6 +81,63 @@ class Scene(unittest.TestCase):
             scene=str(SOURCE / "campaigns/scenes/random_pack.scene.json"),
             fidelity={"cells_per_colloid": 4}))
         self.assertEqual(len(plan["ensembles"]), 1)
+
+    FAST = {"geometry": {"preset": "throat"}, "drive": {"inlet_velocity": "50 mm/s"},
+            "colloids": {"diameter": "20 um"}, "duration": "10 ms",
+            "fidelity": {"cells_per_colloid": 4}}
+
+    def test_auto_means_what_the_solver_says(self):
+        vary = {"/drive/inlet_velocity": ["0.5 mm/s", "50 mm/s"]}
+        slow, fast = self.check(self.campaign(scene=self.FAST, vary=vary,
+                                              fidelity={"tier": "auto"}))["ensembles"]
+        self.assertEqual((slow["tier"], slow["runs_as"]), ("auto", "one_way"))
+        self.assertEqual(slow["tier_reason"], "the cheapest that is valid")
+        self.assertIsNone(slow["seconds_each"])
+        self.assertEqual((fast["tier"], fast["runs_as"]), ("auto", "transient"))
+        self.assertIn("inertia counts: Re_throat = ", fast["tier_reason"])
+
+    def test_cost_of_the_tier_transient_is_predicted_and_shared_by_ranks(self):
+        campaign = self.campaign(scene=self.FAST, fidelity={"tier": "transient"})
+        one = self.check(campaign)
+        each = one["ensembles"][0]
+        self.assertEqual(each["seconds_basis"], "predicted by the solver")
+        cost = each["regime"]["cost"]
+        self.assertEqual(each["seconds_each"], cost["seconds"])
+        self.assertGreater(cost["steps"], 10)
+        self.assertGreater(cost["cells"], 1000)
+        two = self.check({**campaign, "ranks": 2})
+        self.assertAlmostEqual(two["ensembles"][0]["seconds_each"], 0.5 * cost["seconds"])
+        self.assertAlmostEqual(two["core_hours"], one["core_hours"])
+
+    def test_ranks_are_for_the_tier_transient_alone(self):
+        campaign = self.campaign(scene=self.FAST, ranks=2, fidelity={"tier": "auto"})
+        self.assertEqual(self.check(campaign)["ensembles"][0]["runs_as"], "transient")
+        slow = {**self.FAST, "drive": {"inlet_velocity": "0.5 mm/s"}}
+        self.assertIn("/ranks: is 2, but a realisation of tier one_way is one process",
+                      self.check({**campaign, "scene": slow}, 1))
+
+    def test_what_auto_cannot_be_told_for_is_refused_where_it_was_written(self):
+        closed = {"box": ["40 um", "40 um", "40 um"],
+                  "faces": {"z-": "outlet", "z+": "inlet"},
+                  "spheres": [{"center": ["20 um", "20 um", "20 um"], "diameter": "58 um"}]}
+        scene = {"geometry": closed, "drive": {"inlet_velocity": "1 mm/s"},
+                 "colloids": {"diameter": "5 um"}}
+        self.assertIn("/scene/drive/inlet_velocity: the way from the inlet to the outlet is "
+                      "blocked", self.check(self.campaign(scene=scene), 1))
+
+    def test_a_run_needs_the_program_of_the_tier_transient(self):
+        alone = self.folder / "poreclog-solve"
+        alone.symlink_to(SOLVER)
+        path = self.folder / "c.json"
+        path.write_text(json.dumps(self.campaign(scene=self.FAST)))
+        done = subprocess.run([PROGRAM, "run", str(path), "--solver", str(alone), "--runs",
+                               str(self.folder / "runs"), "--database",
+                               str(self.folder / "db")], capture_output=True, text=True,
+                              timeout=60)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(f"/fidelity/tier: needs {alone}-transient, which is not there",
+                      done.stderr)
+        self.assertFalse((self.folder / "runs").exists())
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ json schema_json() {
 json small_campaign() {
   return {{"campaign", "c"},
           {"scene", json::object()},
-          {"realisations", 3},
+          {"realisations", 30},
           {"master_seed", 1}};
 }
 
@@ -125,6 +125,17 @@ TEST(CampaignSchema, JudgesAsTheCodeDoes) {
       {"slurm", {{"options", {3}}}},
       {"statistics", {{"confidence", 95}}},
       {"statistics", {{"bootstrap", 5}}},
+      {"statistics", {{"target", 3}}},
+      {"statistics", {{"target", {{"statistic", "t1"}}}}},
+      {"statistics", {{"target", {{"half_width", 1.0}}}}},
+      {"statistics", {{"target", {{"statistic", "t2"}, {"half_width", 1.0}}}}},
+      {"statistics", {{"target", {{"statistic", "t1"}, {"half_width", 0}}}}},
+      {"statistics", {{"target", {{"statistic", "t1"}, {"half_width", "0.1 s"}}}}},
+      {"statistics",
+       {{"target", {{"statistic", "t1"}, {"half_width", 1}, {"pilot", 19}}}}},
+      {"statistics",
+       {{"target", {{"statistic", "t1"}, {"half_width", 1}, {"batch", 0}}}}},
+      {"statistics", {{"target", {{"statistic", "t1"}, {"half_width", 1}, {"most", 9}}}}},
       {"independent_points", 1},
       {"description", 1},
       {"scene", 1},

@@ -205,6 +205,11 @@ class Report(unittest.TestCase):
             for label in LABELS[kind]:
                 self.assertIn(label, figure["text"], name)
 
+    def test_the_regime_is_there(self):
+        html = (self.out / "report.html").read_text()
+        self.assertNotIn('"regime":{"note"', html, "a note instead of the regime")
+        self.assertIn('"reasons":{', html)
+
     def test_hostile_text_stays_text(self):
         dom = self.browse("--dump-dom")
         page = Figures()

@@ -47,7 +47,7 @@ std::optional<std::string> content(const std::string& path) {
     return std::nullopt;
   }
   std::string text;
-  std::array<char, 65536> chunk{};
+  std::array<char, 65536> chunk;  // not set to zero: that would cost more than to read
   for (;;) {
     const ssize_t count = ::read(file.number(), chunk.data(), chunk.size());
     if (count == 0) {

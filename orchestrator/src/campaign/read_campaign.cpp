@@ -11,6 +11,7 @@
 #include "base/json_text.h"
 #include "base/text.h"
 #include "campaign/key_reader.h"
+#include "campaign/target.h"
 
 namespace colloid {
 
@@ -34,12 +35,15 @@ void read_limits(const json& value, Limits& limits) {
 }
 
 /// Only the names are checked here: their meaning is the statistics' own.
-void check_statistics(const json& value) {
+void check_statistics(const json& value, int realisations) {
   KeyReader read(value, "/statistics");
   double confidence = 0.95;
   int bootstrap = 2000;
   read.number("confidence", 0.5, 0.9999, confidence);
   read.integer("bootstrap", 100, 1'000'000, bootstrap);
+  if (const json* target = read.find("target")) {
+    read_target(*target, realisations);
+  }
   read.finish();
 }
 
@@ -165,7 +169,7 @@ void read_keys(const json& root, Campaign& campaign) {
   }
   campaign.statistics = json::object();
   if (const json* statistics = read.find("statistics")) {
-    check_statistics(*statistics);
+    check_statistics(*statistics, campaign.realisations);
     campaign.statistics = *statistics;
   }
   read.finish();

@@ -16,7 +16,7 @@ namespace colloid {
 namespace {
 
 constexpr std::size_t kTogether = 100;  // results
-constexpr double kLongestLag = 0.2;     // [s] of the database
+constexpr double kLongestLag = 1.0;     // [s] of the database
 
 long& of(std::array<long, 5>& counts, Status status) {
   return counts.at(static_cast<std::size_t>(status));
@@ -34,6 +34,7 @@ CampaignRun::CampaignRun(const Plan& plan, const RunFolder& folder,
       executor_(executor),
       signals_(signals),
       ingester_(store, folder, plan, watch),
+      target_(plan, store.database()),
       counts_(store.count()),
       progress_(static_cast<long>(plan.ensembles.size()) * plan.realisations,
                 of(counts_, Status::ingested)) {}
@@ -84,6 +85,7 @@ int CampaignRun::launch() {
 
 void CampaignRun::begin() {
   adopt(ingester_.catch_up());
+  look();
   counts_ = store_.count();
 }
 
@@ -155,6 +157,13 @@ void CampaignRun::record() {
   ended_.clear();
   begun_.clear();
   one_failed_ = false;
+  look();
+}
+
+void CampaignRun::look() {
+  if (const auto first = target_.look(store_.database())) {
+    cursor_ = {0, std::min(cursor_.index, *first)};
+  }
 }
 
 bool CampaignRun::next(Item& item) {
@@ -169,7 +178,8 @@ bool CampaignRun::next(Item& item) {
       cursor_.ensemble = 0;
       ++cursor_.index;
     }
-    if (store_.status(item) == Status::eligible) {
+    if (item.index < target_.wanted(item.ensemble) &&
+        store_.status(item) == Status::eligible) {
       return true;
     }
   }
@@ -267,12 +277,24 @@ void CampaignRun::drain_after_failure() {
 
 int CampaignRun::exit_code() {
   counts_ = store_.count();
-  if (of(counts_, Status::eligible) > 0 || of(counts_, Status::active) > 0 ||
-      of(counts_, Status::unknown) > 0) {
+  has_ended_ = true;
+  for (std::size_t e = 0; e < plan_.ensembles.size(); ++e) {
+    for (int index = 0; index < target_.wanted(e) && has_ended_; ++index) {
+      const Status status = store_.status({e, index});
+      has_ended_ = status == Status::ingested || status == Status::failed;
+    }
+  }
+  if (!has_ended_) {
     return why_stopped_ == "interrupted" ? exit_interrupted : exit_stopped;
   }
-  return of(counts_, Status::failed) > 0 || store_.contradictions() > 0 ? exit_failures
-                                                                        : exit_done;
+  if (of(counts_, Status::failed) > 0 || store_.contradictions() > 0) {
+    return exit_failures;
+  }
+  if (target_.is_missed()) {
+    why_stopped_ = "the target is not met";
+    return exit_stopped;
+  }
+  return exit_done;
 }
 
 }  // namespace colloid

@@ -1,6 +1,6 @@
 // Runs a campaign's realisations to their end: joins executor, ingester and store.
 //
-// The database follows what happens by a fraction of a second, because results that are
+// The database follows what happens by a second at most, because results that are
 // ingested together cost half as much (files and pages are still in the processor's
 // caches, and one transaction takes all), and because no solver should wait for it.
 // Nothing depends on it: what has begun and ended is in the attempts' folders, from which
@@ -18,6 +18,7 @@
 #include "commands/progress.h"
 #include "execute/executor.h"
 #include "ingest/ingester.h"
+#include "report/target_watch.h"
 #include "store/store.h"
 
 namespace colloid {
@@ -35,6 +36,9 @@ class CampaignRun {
   /// The same without waiting for anything: for an executor whose jobs outlast us.
   int launch();
 
+  /// Has every realisation that is wanted ended?
+  bool has_ended() const { return has_ended_; }
+  const TargetWatch& target() const { return target_; }
   /// Why it stopped early; empty if it did not.
   const std::string& why_stopped() const { return why_stopped_; }
 
@@ -57,6 +61,8 @@ class CampaignRun {
   void settle(const AttemptOf& ended);
   void wait_for_event();
   void drain_after_failure();
+  /// Is the campaign's target met by what has ended?  If not, more is to be run.
+  void look();
   int exit_code();
 
   const Plan& plan_;
@@ -66,6 +72,7 @@ class CampaignRun {
   Executor& executor_;
   const Signals& signals_;
   Ingester ingester_;
+  TargetWatch target_;
   std::array<long, 5> counts_;
   Progress progress_;
   std::map<std::int64_t, AttemptOf> active_;
@@ -79,6 +86,7 @@ class CampaignRun {
   std::int64_t last_id_ = 0;
   int stops_ = 0;        ///< how often somebody asked us to stop
   bool leaves_ = false;  ///< the jobs, which go on
+  bool has_ended_ = false;
   std::string why_stopped_;
 };
 

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "campaign/run_folder.h"
 #include "campaign/solver_program.h"
+#include "campaign/target.h"
 #include "commands/open_campaign.h"
 #include "store/database.h"
 #include "store/schema.h"
@@ -116,6 +117,7 @@ class Check : public Command {
                            {"reasons", regime.value("reasons", nlohmann::json())},
                            {"regime", regime}});
     }
+    const auto target = target_of(plan.statistics, plan.realisations);
     return {
         {"schema_version", 1},
         {"campaign", plan.campaign},
@@ -125,6 +127,9 @@ class Check : public Command {
         {"ranks", plan.ranks},
         {"realisations", static_cast<long>(plan.ensembles.size()) * plan.realisations},
         {"to_run", to_run},
+        {"target", target ? Json(aim_of(*target)) : Json()},
+        {"target_first_look", target ? Json(target->pilot) : Json()},
+        {"target_batch", target ? Json(target->batch) : Json()},
         {"core_hours", core_seconds ? Json(*core_seconds / 3600.0) : Json()},
         {"seconds", core_seconds ? Json(*core_seconds / plan.ranks / workers) : Json()},
         {"ensembles", ensembles}};
@@ -141,6 +146,13 @@ class Check : public Command {
         fmt::format("campaign {}: {} realisations, {} to run, {} at once\n",
                     plan["campaign"].get<std::string>(), plan["realisations"].get<long>(),
                     plan["to_run"].get<long>(), plan["workers"].get<int>());
+    if (!plan["target"].is_null()) {
+      out += fmt::format(
+          "each design point stops when {}: decided after {} "
+          "realisations, then every {}; what is said here is the most\n",
+          plan["target"].get<std::string>(), plan["target_first_look"].get<int>(),
+          plan["target_batch"].get<int>());
+    }
     for (const Json& e : plan["ensembles"]) {
       const auto tier = e["tier"].get<std::string>();
       const std::string means =

@@ -7,9 +7,13 @@
 
 #include "base/file_lock.h"
 #include "base/files.h"
+#include "campaign/target.h"
 #include "commands/slurm_campaign.h"
 #include "commands/slurm_plan.h"
 #include "ingest/prospect.h"
+#include "report/target_watch.h"
+#include "store/database.h"
+#include "store/schema.h"
 
 namespace colloid {
 
@@ -31,6 +35,22 @@ Json class_json(const Prospect& prospect) {
           {"indices", ranges}};
 }
 
+/// Which realisations the campaign's target wants for now; all of them without one.
+std::vector<Wanted> wanted_of(const Plan& plan, const std::string& path) {
+  const auto target = target_of(plan.statistics, plan.realisations);
+  std::vector<Wanted> out(plan.ensembles.size(),
+                          {target ? target->pilot : plan.realisations, false});
+  if (target && is_file(path)) {
+    const Database database(path, Database::Access::read_only);
+    check_schema(database);
+    const TargetWatch watch(plan, database);
+    for (std::size_t e = 0; e < out.size(); ++e) {
+      out[e] = {watch.wanted(e), watch.state(e).met};
+    }
+  }
+  return out;
+}
+
 std::string ranges_text(const Json& ranges) {
   std::string text;
   for (std::size_t i = 0; i < std::min(ranges.size(), kMostRanges); ++i) {
@@ -50,13 +70,15 @@ Json dry_run(const Plan& plan, const CommonOptions& options) {
                          ? std::make_unique<SlurmCampaign>(
                                plan, folder, SlurmCampaign::Access::read_only)
                          : nullptr;
+  const std::vector<Wanted> wanted = wanted_of(plan, absolute(options.database));
   Json ensembles = Json::array();
   long to_run = 0;
   for (std::size_t e = 0; e < plan.ensembles.size(); ++e) {
     const Ensemble& ensemble = plan.ensembles[e];
     Json classes = Json::array();
-    for (const Prospect& prospect : prospects(plan, e, folder, absolute(options.database),
-                                              slurm ? &slurm->jobs() : nullptr)) {
+    for (const Prospect& prospect :
+         prospects(plan, e, folder, absolute(options.database),
+                   slurm ? &slurm->jobs() : nullptr, wanted[e])) {
       to_run += prospect.action == "run" ? prospect.count : 0;
       classes.push_back(class_json(prospect));
     }

@@ -33,8 +33,33 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
+/// Of each design point and tier; null without a target.
+nlohmann::ordered_json targets_json(const Plan& plan, const TargetWatch& target) {
+  if (!target.has_target()) {
+    return nullptr;
+  }
+  auto out = nlohmann::ordered_json::array();
+  for (std::size_t e = 0; e < plan.ensembles.size(); ++e) {
+    out.push_back({{"point", plan.ensembles[e].point}, {"tier", plan.ensembles[e].tier}});
+    out.back().update(target.json(e));
+  }
+  return out;
+}
+
+/// Realisations that a met target makes superfluous.
+long not_needed(const Plan& plan, const Store& store, const TargetWatch& target) {
+  long count = 0;
+  for (std::size_t e = 0; e < plan.ensembles.size(); ++e) {
+    for (int i = target.wanted(e); target.has_target() && i < plan.realisations; ++i) {
+      count += target.state(e).met && store.status({e, i}) == Status::eligible ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 nlohmann::ordered_json outcome_json(const Plan& plan, const RunFolder& folder,
-                                    Store& store, int exit_code, const std::string& why) {
+                                    Store& store, int exit_code, const std::string& why,
+                                    const TargetWatch& target) {
   nlohmann::ordered_json out{{"schema_version", 1}, {"campaign", plan.campaign}};
   const std::array<long, 5> counts = store.count();
   out["realisations"] = static_cast<long>(plan.ensembles.size()) * plan.realisations;
@@ -42,6 +67,8 @@ nlohmann::ordered_json outcome_json(const Plan& plan, const RunFolder& folder,
     out[name_of(static_cast<Status>(i))] = counts.at(i);
   }
   out["contradictions"] = store.contradictions();
+  out["not_needed"] = not_needed(plan, store, target);
+  out["targets"] = targets_json(plan, target);
   out["stopped"] = why.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(why);
   rusage own{};
   ::getrusage(RUSAGE_SELF, &own);
@@ -58,9 +85,14 @@ std::string outcome_text(const nlohmann::ordered_json& outcome) {
       "{}: {} of {} realisations ingested", outcome["campaign"].get<std::string>(),
       outcome["ingested"].get<long>(), outcome["realisations"].get<long>());
   for (const char* key : {"failed", "active", "eligible", "unknown", "contradictions"}) {
-    if (outcome[key].get<long>() > 0) {
-      text += fmt::format(", {} {}", outcome[key].get<long>(), key);
+    const long spared =
+        key == std::string("eligible") ? outcome["not_needed"].get<long>() : 0;
+    if (outcome[key].get<long>() > spared) {
+      text += fmt::format(", {} {}", outcome[key].get<long>() - spared, key);
     }
+  }
+  if (outcome["not_needed"].get<long>() > 0) {
+    text += fmt::format(", {} not needed", outcome["not_needed"].get<long>());
   }
   if (outcome.contains("slurm") && outcome["active"].get<long>() > 0) {
     text += fmt::format("; on Slurm {} tasks wait, {} run",
@@ -70,7 +102,13 @@ std::string outcome_text(const nlohmann::ordered_json& outcome) {
   if (!outcome["stopped"].is_null()) {
     text += "; " + outcome["stopped"].get<std::string>();
   }
-  return text + "\n";
+  text += "\n";
+  for (const auto& target : outcome["targets"]) {
+    text +=
+        fmt::format("design point {}, tier {}: {}\n", target["point"].get<int>(),
+                    target["tier"].get<std::string>(), target["text"].get<std::string>());
+  }
+  return text;
 }
 
 long left_to_run(const Plan& plan, const Store& store) {
@@ -156,13 +194,13 @@ class WorkCommand : public Command {
     } else {
       exit_code = campaign.run();
     }
-    auto outcome = outcome_json(plan, folder, store, exit_code, campaign.why_stopped());
+    auto outcome = outcome_json(plan, folder, store, exit_code, campaign.why_stopped(),
+                                campaign.target());
     if (slurm) {
       outcome["slurm"] = slurm->counts();
     }
     std::string text = outcome_text(outcome);
-    const bool has_ended = (exit_code == exit_done || exit_code == exit_failures) &&
-                           outcome["active"].get<long>() == 0;
+    const bool has_ended = campaign.has_ended() && outcome["active"].get<long>() == 0;
     if (has_ended && !no_report_ && outcome["ingested"].get<long>() > 0) {
       const WrittenReport report = write_report(plan, common_, output_);
       outcome["report"] = report.page;

@@ -16,6 +16,7 @@
 #include "commands/slurm_campaign.h"
 #include "execute/local_executor.h"
 #include "ingest/attempt_folder.h"
+#include "report/target_watch.h"
 #include "store/database.h"
 #include "store/schema.h"
 
@@ -63,6 +64,7 @@ class StatusCommand : public Command {
         "unknown, censored, clogged FROM v_progress WHERE campaign = ? "
         "ORDER BY point, tier");
     ask.bind(1, plan.campaign);
+    const TargetWatch target(plan, database);
     Json points = Json::array();
     Json total{{"realisations", 0}, {"ingested", 0}, {"failed", 0},   {"active", 0},
                {"eligible", 0},     {"unknown", 0},  {"censored", 0}, {"clogged", 0}};
@@ -80,6 +82,12 @@ class StatusCommand : public Command {
       }
       for (auto& [key, sum] : total.items()) {
         sum = sum.get<long>() + row[key].get<long>();
+      }
+      for (std::size_t e = 0; target.has_target() && e < plan.ensembles.size(); ++e) {
+        if (plan.ensembles[e].point == row["point"].get<int>() &&
+            plan.ensembles[e].tier == row["tier"].get<std::string>()) {
+          row["target"] = target.json(e);
+        }
       }
       points.push_back(row);
     }
@@ -121,6 +129,7 @@ class StatusCommand : public Command {
       const Ensemble ensemble{static_cast<int>(row["point"].get<std::int64_t>()),
                               row["tier"].get<std::string>(),
                               {},
+                              "",
                               ""};
       const std::string realisation =
           fmt::format("{}/{:06}", folder.ensemble(ensemble), ask.integer(0));
@@ -152,6 +161,9 @@ class StatusCommand : public Command {
         out += fmt::format(" {:>9}", row[key].get<long>());
       }
       out += "  " + row["varied"].dump() + "\n";
+      if (row.contains("target")) {
+        out += "       " + row["target"]["text"].get<std::string>() + "\n";
+      }
     }
     if (const Json& slurm = status["slurm"]; !slurm.is_null()) {
       out += fmt::format("Slurm{}: {} tasks wait, {} run, {} unknown\n",

@@ -30,15 +30,21 @@ void prepare_library() {
 }
 
 /// How to read the file: a small one whole (one read instead of one for each object).
+/// Without locks: nobody writes to a result any more, and not every file system has them.
 hid_t access_to(const std::string& path) {
-  static const H5Handle in_memory = [] {
+  const auto unlocked = [](bool in_memory) {
     H5Handle list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_fapl_core(list.get(), 1, false);
+    if (in_memory) {
+      H5Pset_fapl_core(list.get(), 1, false);
+    }
+    H5Pset_file_locking(list.get(), false, true);
     return list;
-  }();
+  };
+  static const H5Handle whole = unlocked(true);
+  static const H5Handle in_parts = unlocked(false);
   std::error_code none;
-  return std::filesystem::file_size(path, none) <= kReadAtOnce ? in_memory.get()
-                                                               : H5P_DEFAULT;
+  return std::filesystem::file_size(path, none) <= kReadAtOnce ? whole.get()
+                                                               : in_parts.get();
 }
 
 std::optional<H5Handle> attribute(hid_t object, const char* name) {

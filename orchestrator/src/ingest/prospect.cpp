@@ -182,7 +182,7 @@ void add(std::vector<Prospect>& classes, const Verdict& verdict, int index) {
 
 std::vector<Prospect> prospects(const Plan& plan, std::size_t ensemble,
                                 const RunFolder& folder, const std::string& database,
-                                const AttemptWatch* watch) {
+                                const AttemptWatch* watch, const Wanted& wanted) {
   const std::vector<Known> known = known_of(plan, plan.ensembles[ensemble], database);
   const std::vector<int> started = folder.started(plan.ensembles[ensemble]);
   std::vector<Prospect> classes;
@@ -193,10 +193,14 @@ std::vector<Prospect> prospects(const Plan& plan, std::size_t ensemble,
       continue;
     }
     const bool has_folder = std::binary_search(started.begin(), started.end(), index);
-    add(classes,
-        verdict_of(one, plan.limits, folder.realisation(plan, {ensemble, index}),
-                   has_folder, watch),
-        index);
+    Verdict verdict = verdict_of(
+        one, plan.limits, folder.realisation(plan, {ensemble, index}), has_folder, watch);
+    if (verdict.action == "run" && index >= wanted.realisations) {
+      verdict = wanted.target_met
+                    ? Verdict{"skip", "target_met", "the target is met without it"}
+                    : Verdict{"wait", "target", "waits for the target's next decision"};
+    }
+    add(classes, verdict, index);
   }
   return classes;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -158,6 +159,7 @@ void read_provenance(hid_t file, ResultRecord& result) {
 std::string digest_of(const ResultRecord& r) {
   std::string bytes = fmt::format("{}\n{}\n{}\n{} {} {}\n", r.seed, r.tier, r.ending,
                                   r.injected, r.retained_count, r.traversed);
+  bytes.reserve(bytes.size() + 24 * r.times.size() + 200 * r.retained.size() + 100);
   const auto add = [&](const double* begin, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       // One NaN is as good as another.
@@ -173,7 +175,8 @@ std::string digest_of(const ResultRecord& r) {
     add(values->data(), values->size());
   }
   for (const RetainedRecord& c : r.retained) {
-    bytes += fmt::format("{} {} {} {}\n", c.order, c.colloid, c.layer, c.mechanism);
+    fmt::format_to(std::back_inserter(bytes), "{} {} {} {}\n", c.order, c.colloid,
+                   c.layer, c.mechanism);
     for (const double* value :
          {&c.time, &c.contact_time, &c.injection_time, &c.alpha_deg, &c.bond_load}) {
       add(value, 1);

@@ -10,6 +10,7 @@
 #include "report/paired.h"
 #include "report/scene_facts.h"
 #include "report/statistics_json.h"
+#include "report/target_watch.h"
 #include "store/schema.h"
 
 namespace colloid {
@@ -137,6 +138,9 @@ std::string headlines_of(const Json& point) {
     out += pair_line(fmt::format("P(clogged by {:g} s)", tau),
                      clogging["probability_by_end"], clogging["probability_ci"], "");
   }
+  if (point.contains("target") && !point["target"].is_null()) {
+    out += "  " + point["target"]["text"].get<std::string>() + "\n";
+  }
   for (const Json& warning : point["warnings"]) {
     out += "  note: " + warning.get<std::string>() + "\n";
   }
@@ -161,16 +165,20 @@ CampaignStatistics campaign_statistics(const Plan& plan, const RunFolder& folder
                                        const std::string& path) {
   const Database database(path, Database::Access::read_only);
   check_schema(database);
+  const TargetWatch target(plan, database);
   CampaignStatistics result;
   Json points = Json::array();
   for (std::size_t e = 0; e < plan.ensembles.size(); ++e) {
-    auto sample = read_ensemble(database, plan, e, folder);
+    auto sample =
+        read_ensemble(database, plan, e, folder,
+                      target.state(e).met ? target.wanted(e) : plan.realisations);
     require(sample.has_value(), path,
             fmt::format("does not hold design point {} of campaign {}; `poreclog repair` "
                         "makes the database again",
                         plan.ensembles[e].point, plan.campaign));
     result.ensembles.push_back(summarised(plan, e, std::move(*sample)));
     points.push_back(json_of(plan, result.ensembles.back()));
+    points.back()["target"] = target.json(e);
   }
   result.json = {{"schema_version", 1},
                  {"campaign", plan.campaign},

@@ -196,8 +196,8 @@ const char* description_of(InterimRule rule) {
 }
 
 std::optional<EnsembleSample> read_ensemble(const Database& database, const Plan& plan,
-                                            std::size_t ensemble,
-                                            const RunFolder& folder) {
+                                            std::size_t ensemble, const RunFolder& folder,
+                                            int wanted) {
   EnsembleSample sample;
   sample.id = id_of(database, plan, plan.ensembles[ensemble]);
   if (sample.id < 0) {
@@ -216,6 +216,9 @@ std::optional<EnsembleSample> read_ensemble(const Database& database, const Plan
     RealisationOutcome outcome;
     outcome.index = static_cast<std::uint64_t>(rows.integer(1));
     outcome.progress = progress_of(rows.text(2));
+    if (outcome.progress == Progress::pending && rows.integer(1) >= wanted) {
+      continue;
+    }
     if (outcome.progress == Progress::finished) {
       outcome.t1 = optional_real(rows, 4);
       outcome.tc = optional_real(rows, 5);

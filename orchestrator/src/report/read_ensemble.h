@@ -40,9 +40,10 @@ struct EnsembleSample {
   std::size_t n_with_curve = 0;
 };
 
-/// None if the database does not hold the ensemble.
+/// None if the database does not hold the ensemble.  Realisations from index `wanted` on
+/// that have not begun are not waited for: the campaign's target is met without them.
 std::optional<EnsembleSample> read_ensemble(const Database& database, const Plan& plan,
-                                            std::size_t ensemble,
-                                            const RunFolder& folder);
+                                            std::size_t ensemble, const RunFolder& folder,
+                                            int wanted);
 
 }  // namespace colloid

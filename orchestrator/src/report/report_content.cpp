@@ -55,7 +55,9 @@ Json table_of(Statement& statement) {
 }
 
 Json realisations_of(const Database& database, const EnsembleSample& sample) {
-  const auto all = static_cast<std::int64_t>(sample.outcomes.size());
+  Statement count =
+      database.prepare("SELECT count(*) FROM realisation WHERE ensemble = ?");
+  const std::int64_t all = count.bind(1, sample.id).step() ? count.integer(0) : 0;
   Statement rows = database.prepare(
       "SELECT r.idx, r.seed, r.status, r.t1_s, r.tc_s, r.alpha_deg, r.lc_end_m, "
       "r.permeability_ratio_end, r.injected, r.retained, r.traversed, a.wall_s, "
@@ -130,14 +132,14 @@ Json alpha_dots(const statistics::AlphaFit& fit) {
   return out;
 }
 
-Json regime_of(const Plan& plan, const EnsembleStatistics& of, const RunFolder& folder,
+Json regime_of(const Plan& plan, const EnsembleStatistics& of,
                const std::optional<SolverProgram>& solver) {
   if (!solver || of.ensemble >= kMostRegimes) {
     return {{"note", solver ? "not asked for: many design points"
                             : "the solver, which computes it, was not found"}};
   }
   try {
-    return solver->regime(folder.scene_file(plan.ensembles[of.ensemble]));
+    return solver->regime(plan.ensembles[of.ensemble].scene);
   } catch (const InputError& error) {
     return {{"note", error.what()}};  // the report is of results that are there
   }
@@ -150,7 +152,7 @@ Json point_of(const Database& database, const Plan& plan, const EnsembleStatisti
   clogging["kaplan_meier"] = survival_json(of.summary.clogging.kaplan_meier, kMostSteps);
   Json out{{"statistics", std::move(statistics)},
            {"scene", plan.ensembles[of.ensemble].scene},
-           {"regime", regime_of(plan, of, folder, solver)},
+           {"regime", regime_of(plan, of, solver)},
            {"realisations", realisations_of(database, of.sample)},
            {"layers", layers_of(database, of.sample.id)},
            {"cost", cost_of(database, of.sample.id)},

@@ -1,6 +1,7 @@
 #include "statistics/prefix.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace colloid::statistics {
@@ -49,6 +50,14 @@ Prefix complete_prefix(const std::vector<RealisationOutcome>& outcomes) {
 
 Observation clogging(const RealisationOutcome& outcome) {
   return time_to(outcome.tc, outcome.end);
+}
+
+void snap_to(std::vector<Observation>& observations, double tau) {
+  for (Observation& seen : observations) {
+    if (std::abs(seen.time - tau) <= 1e-9 * tau) {
+      seen.time = tau;
+    }
+  }
 }
 
 Observation first_retention(const RealisationOutcome& outcome) {

@@ -37,6 +37,10 @@ std::vector<const RealisationOutcome*> all_started(
 /// Time to clogging, censored at the time reached.
 Observation clogging(const RealisationOutcome& outcome);
 
+/// Runs end at their duration `tau` [s] but for round-off, which must not leave the last
+/// moment unobserved: times that differ from it by no more are set to it.
+void snap_to(std::vector<Observation>& observations, double tau);
+
 /// Time to first retention, censored at the time reached.
 Observation first_retention(const RealisationOutcome& outcome);
 

@@ -85,20 +85,10 @@ void fill_means(const Finished& finished, const BootstrapOptions& bootstrap,
                 });
 }
 
-/// Runs end at their duration but for round-off, which must not leave the last moment
-/// unobserved.
-void snap(std::vector<Observation>& observations, double tau) {
-  for (Observation& seen : observations) {
-    if (std::abs(seen.time - tau) <= 1e-9 * tau) {
-      seen.time = tau;
-    }
-  }
-}
-
 Clogging clogging_of(std::vector<Observation> observations,
                      const std::optional<double>& tau, double level) {
   if (tau) {
-    snap(observations, *tau);
+    snap_to(observations, *tau);
   }
   Clogging result;
   result.kaplan_meier = kaplan_meier(observations, level);

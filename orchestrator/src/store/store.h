@@ -112,12 +112,12 @@ class Store {
   std::vector<double> last_times_;
   std::int64_t last_grid_ = 0;
   std::unordered_map<std::string, std::int64_t> programs_;
-  std::unordered_map<std::string, Statement> statements_;
+  std::unordered_map<const char*, Statement> statements_;  ///< by their texts' places
   std::uint64_t inode_ = 0;
   bool in_batch_ = false;
   std::optional<Transaction> transaction_;
 
-  /// The statement, prepared once.
+  /// The statement, prepared once; `sql` is a literal.
   Statement& prepared(const char* sql);
 };
 

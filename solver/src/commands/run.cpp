@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -198,9 +199,7 @@ class Run : public Command {
     }
     listen_to_signals();
     std::optional<ResultFile> result;
-    if (tiers_.writes_result) {
-      result.emplace(output_, collect_provenance(arguments()), file.scene);
-    }
+    open_result(result, file.scene);
     const std::optional<Realisation> realisation = decision.tier.run(file.scene, options);
     line.end();
     if (!realisation) {
@@ -224,6 +223,23 @@ class Run : public Command {
   }
 
  private:
+  // By the first process; the others do not begin what it cannot write.
+  void open_result(std::optional<ResultFile>& result, const Scene& scene) const {
+    std::exception_ptr refused;
+    try {
+      if (tiers_.writes_result) {
+        result.emplace(output_, collect_provenance(arguments()), scene);
+      }
+    } catch (...) {
+      refused = std::current_exception();
+    }
+    const bool all_go_on = !tiers_.on_all || tiers_.on_all(refused == nullptr);
+    if (refused) {
+      std::rethrow_exception(refused);
+    }
+    require(all_go_on, output_, "cannot be written by the first process");
+  }
+
   // The command as it was given; the system keeps it for us.
   static std::vector<std::string> arguments();
 

@@ -1,6 +1,7 @@
 // The fidelity tiers, the programs that have them, and the choice among them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,9 @@ struct Tier {
 struct TierTable {
   const char* program;
   std::vector<Tier> tiers;
-  bool writes_result = true;  ///< false: of several processes of one run, not the first
+  // Of a run of several processes:
+  bool writes_result = true;              ///< this one is the first
+  std::function<bool(bool)> on_all = {};  ///< whether something holds on all of them
 };
 
 struct TierDecision {

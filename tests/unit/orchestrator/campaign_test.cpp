@@ -10,6 +10,7 @@
 #include "campaign/plan.h"
 #include "campaign/read_campaign.h"
 #include "campaign/seed.h"
+#include "campaign/solver_program.h"
 
 namespace colloid {
 namespace {
@@ -124,6 +125,41 @@ TEST(Plan, ComesBackFromItsFile) {
   EXPECT_THROW(plan_from_json(newer, "f"), InputError);
   newer.erase("format");
   EXPECT_THROW(plan_from_json(newer, "f"), InputError);
+}
+
+std::vector<std::string> command_in(const std::string& tier, int ranks,
+                                    const std::string& launcher = "") {
+  Plan plan = small_plan();
+  plan.ensembles[1].tier = "auto";
+  plan.ensembles[1].runs_as = tier;
+  plan.ranks = ranks;
+  plan.limits.seconds_to_stop = 29.5;
+  plan.executor = launcher.empty() ? "local" : "slurm";
+  plan.slurm.launcher = launcher.empty() ? plan.slurm.launcher : launcher;
+  return SolverProgram("/bin/solve").run_command(plan, {1, 0}, "s.json", "r.h5");
+}
+
+TEST(SolverProgram, IsThatOfTheTierThatRuns) {
+  const std::string seed = std::to_string(realisation_seed("1", 0, ""));
+  const auto run = [&](const std::string& program) {
+    return std::vector<std::string>{program, "run",    "s.json", "-o",
+                                    "r.h5",  "--seed", seed};
+  };
+  EXPECT_EQ(command_in("quasi_steady", 1), run("/bin/solve"));
+  EXPECT_EQ(command_in("transient", 1), run("/bin/solve-transient"));
+}
+
+TEST(SolverProgram, StartsRanksThatShareCoresAndHaveTheTimeToStop) {
+  const auto mpirun = command_in("transient", 2);
+  const std::vector<std::string> begin{
+      "mpirun", "-n", "2", "--bind-to", "none", "--mca", "odls_base_sigkill_timeout",
+      "30"};
+  ASSERT_GT(mpirun.size(), begin.size());
+  EXPECT_EQ(std::vector<std::string>(mpirun.begin(), mpirun.begin() + 8), begin);
+  EXPECT_EQ(mpirun[mpirun.size() - 7], "/bin/solve-transient");
+  const auto srun = command_in("transient", 4, "srun");
+  EXPECT_EQ(srun[0], "srun");
+  EXPECT_EQ(srun[4], "4");
 }
 
 TEST(Changes, OfPhysicsAreListedAndCosmeticOnesAreNot) {

@@ -21,6 +21,19 @@ TEST(Solid, GapsAreThoseOfTheNearestPeriodicImages) {
   EXPECT_NEAR(surface_gap(cube(FaceCondition::periodic), a, b), 0.1, 1e-15);
 }
 
+// A ball in the middle holds pi/6; one on a corner of a periodic cube does too, and an
+// eighth of it between walls.  Tolerance: 1 % of the box, as the header says.
+TEST(Solid, VoidFractionIsWhatTheBallsLeave) {
+  const double ball = 3.14159265358979 / 6.0;
+  const Box walls = cube(FaceCondition::wall);
+  EXPECT_EQ(void_fraction(walls, {}), 1.0);
+  EXPECT_NEAR(void_fraction(walls, {{{0.5, 0.5, 0.5}, 0.5}}), 1.0 - ball, 0.01);
+  EXPECT_NEAR(void_fraction(walls, {{{0.0, 1.0, 0.0}, 0.5}}), 1.0 - ball / 8.0, 0.01);
+  EXPECT_NEAR(void_fraction(cube(FaceCondition::periodic), {{{0.0, 1.0, 0.0}, 0.5}}),
+              1.0 - ball, 0.01);
+  EXPECT_EQ(void_fraction(walls, {{{0.5, 0.5, 0.5}, 1.0}}), 0.0);
+}
+
 TEST(Solid, ABallReachesIntoTheBoxIfItsSurfacePassesTheNearestCorner) {
   const Box box = cube(FaceCondition::wall);
   EXPECT_TRUE(reaches_into(box, {{-0.1, 0.5, 0.5}, 0.2}));

@@ -214,6 +214,7 @@ function countsLine(s) {
                  `${s.n - s.n_censored} clogged, ${s.n_censored} had not when they ended (censored)`];
   const line = h("p", {}, parts.join("; ") + (s.n_failed ? "; " : "."));
   if (s.n_failed) line.append(h("span.ink-failed", {}, `${s.n_failed} failed.`));
+  if (s.target) line.append(h("span.target", {}, ` ${s.target.text[0].toUpperCase()}${s.target.text.slice(1)}.`));
   if (s.interim) line.append(h("b", {}, ` ${s.rule} (${s.n_running} running, ${s.n_pending} pending).`));
   return line;
 }

@@ -25,7 +25,8 @@ int main(int argc, char** argv) {
   Runtime runtime(argc, argv);
   const TierTable tiers{kTransientProgram,
                         {{TierChoice::transient, run_with_our_errors}},
-                        runtime.rank() == 0};
+                        runtime.rank() == 0,
+                        [&](bool holds) { return runtime.on_all(holds); }};
   const Program program{kTransientProgram,
                         "Simulates colloids that clog a pore throat, with inertia",
                         {{"run", "Run one realisation of a scene into a result file",

@@ -71,6 +71,12 @@ Runtime::~Runtime() {
   }
 }
 
+bool Runtime::on_all(bool holds) const {
+  int all_hold = holds ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &all_hold, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  return all_hold == 1;
+}
+
 int Runtime::end(int exit_code, const std::string& complaint) {
   std::vector<int> codes(static_cast<std::size_t>(ranks_), 0);
   MPI_Request request = MPI_REQUEST_NULL;
@@ -92,7 +98,7 @@ int Runtime::end(int exit_code, const std::string& complaint) {
     complain(complaint);
   }
   MPI_Finalize();
-  return *std::max_element(codes.begin(), codes.end());
+  return failed == codes.end() ? 0 : *failed;
 }
 
 void Runtime::complain(const std::string& complaint) const {

@@ -18,8 +18,11 @@ class Runtime {
   int rank() const { return rank_; }
   int ranks() const { return ranks_; }
 
-  /// The end of this process, for main() to return: the exit code on which all ranks
-  /// agree. The lowest rank that failed prints its complaint.  A rank that fails while
+  /// Whether it holds on every rank; all of them have to ask.
+  bool on_all(bool holds) const;
+
+  /// The end of this process, for main() to return: the exit code of the lowest rank that
+  /// failed, on all ranks.  That rank prints its complaint.  A rank that fails while
   /// others go on, and wait for it for ever, ends them all.
   int end(int exit_code, const std::string& complaint);
 
