@@ -25,7 +25,7 @@ for which by finding both motions together?
 
 ![Map of outcomes](map.png)
 
-One colloid of 13.3 um on the axis of the reference throat at its narrowest, 11 cells per diameter, let go at rest in the
+One colloid of 13.3 um on the axis of the reference throat at its narrowest, 5.5 cells per diameter, let go at rest in the
 developed stream, 30 steps (40 below a tenth of the relaxation time). Relaxation time 2 rho_p a^2/(9 mu) = 10.3 us (at ratio
 1.05). *explicit*: the force of the last flow step moves the colloid, the flow is given its new velocity (fidelity.coupling:
 explicit). *implicit*: (T3) to (T6) of the [model](../../../solver/MODEL.md).
@@ -43,8 +43,8 @@ Each entry: explicit / implicit. b bounded, o oscillating, u unstable.
 
 - Explicit coupling fails beyond about a fifth to a half of the relaxation time at the paper's density ratio, and at a tenth and
   less for a colloid half as dense as the liquid. The paper's step lies just inside.
-- Implicit coupling is never unstable in the map. At 30 and 100 relaxation times the first steps from rest pass the
-  final speed: the splitting of momentum and pressure, not the coupling; more passes (`fidelity.subiterations`) shorten it.
+- Implicit coupling is never unstable in the map. From 10 relaxation times on (dense colloids; 30 at ratio 1) the first steps from
+  rest pass the final speed by more than a tenth: the splitting of momentum and pressure, not the coupling; more passes (`fidelity.subiterations`) shorten it.
 - Not mapped here: gaps below the grid, moduli, penalisation strength and refinement levels.
 """
 
