@@ -18,6 +18,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "anomaly
 import orchestrator  # noqa: E402
 from cluster import Cluster  # noqa: E402
 
+SOLVE = os.environ.get("SOLVE")  # the real solver; that of the tier transient lies beside it
+
 
 class OnSlurm(orchestrator.Bench):
     """One cluster for the tests of a class: its first job waits for seconds."""
@@ -480,6 +482,41 @@ class Ranks(OnSlurm):
     def test_of_srun_on_one_node_and_two(self):
         self.run_with(1, "srun")
         self.run_with(2, "srun")
+
+
+class Transient(OnSlurm):
+    """The tier transient itself, its ranks inside the allocation."""
+
+    # One grain in a duct, a colloid that is caught beside its stagnation line.
+    SCENE = {
+        "geometry": {
+            "box": ["40 um", "40 um", "60 um"],
+            "faces": {"x-": "wall", "x+": "wall", "y-": "wall", "y+": "wall",
+                      "z-": "outlet", "z+": "inlet"},
+            "spheres": [{"center": ["20 um", "20 um", "22 um"], "diameter": "24 um"}],
+            "bodies": [{"center": ["20.3 um", "20.1 um", "39 um"], "diameter": "8 um"}]},
+        "drive": {"inlet_velocity": "0.5 mm/s"},
+        "colloids": {"diameter": "8 um", "volume_fraction": 0.0},
+        "duration": "4 ms"}
+
+    def run_on(self, launcher, nodes):
+        self.database = self.folder / f"{launcher}{nodes}.sqlite"
+        self.runs = self.folder / f"{launcher}{nodes}"
+        campaign = self.write(
+            scene=self.SCENE, realisations=1, ranks=2, executor="slurm",
+            fidelity={"tier": "transient", "cells_per_colloid": 3},
+            limits={"attempts": 1, "seconds_per_realisation": 200},
+            slurm={"launcher": launcher,
+                   "options": [f"--nodes={nodes}", f"--ntasks-per-node={2 // nodes}"]})
+        self.poreclog("run", campaign, prefix=["env", f"PORECLOG_SOLVER={SOLVE}"])
+        (row,) = self.ask("SELECT tier, status, injected, retained + traversed FROM v_realisation")
+        self.assertEqual(row[:3], ("transient", "ingested", 1))
+
+    def test_by_mpirun_on_two_nodes(self):
+        self.run_on("mpirun", 2)
+
+    def test_by_srun_on_one_node(self):
+        self.run_on("srun", 1)
 
 
 class Killed(OnSlurm):

@@ -74,7 +74,7 @@ class RigidPCG : public Foam::lduMatrix::solver {
 };
 
 defineTypeNameAndDebug(RigidPCG, 0);
-const Foam::lduMatrix::solver::addsymMatrixConstructorToTable<RigidPCG> added;
+const Foam::lduMatrix::solver::addsymMatrixConstructorToTable<RigidPCG> kAdded;
 
 Foam::IOobject unregistered(const char* name, const Foam::fvMesh& mesh) {
   return Foam::IOobject(name, mesh.time().timeName(), mesh, Foam::IOobject::NO_READ,
@@ -134,39 +134,61 @@ PressureCorrection::PressureCorrection(const Foam::fvMesh& mesh, const Box& box,
 
 // Fluxes of each body's rigid motions through the faces of its cells.
 void PressureCorrection::find_terms() {
-  std::vector<Vec3> arm_of(at(mesh_.nCells()));
+  std::vector<Vec3> arms(at(mesh_.nCells()));
   for (const ImmersedEntry& entry : entries_) {
     if (entry.solid && free_[at(entry.body)]) {
-      arm_of[at(entry.cell)] = entry.arm;
+      arms[at(entry.cell)] = entry.arm;
     }
   }
+  find_internal_terms(arms);
+  find_coupled_terms(arms);
+  // One term per cell and body.
   std::vector<CellTerm> terms;
-  // A face, the share of it that one of its cells has, and where that cell is.
-  const auto add = [&](const FaceTerm& at_face, double share, const Vec3& arm,
-                       const Foam::vector& area, int from, int to) {
-    FaceTerm term = at_face;
-    term.flux = share * wrench(vec3(area), arm);
-    faces_.push_back(term);
-    terms.push_back({from, term.body, term.flux});
-    if (to >= 0) {
-      terms.push_back({to, term.body, -term.flux});
+  std::swap(terms, cells_);
+  std::stable_sort(terms.begin(), terms.end(), [](const CellTerm& a, const CellTerm& b) {
+    return a.body != b.body ? a.body < b.body : a.cell < b.cell;
+  });
+  for (const CellTerm& term : terms) {
+    if (!cells_.empty() && cells_.back().cell == term.cell &&
+        cells_.back().body == term.body) {
+      cells_.back().divergence += term.divergence;
+    } else {
+      cells_.push_back(term);
     }
-  };
+  }
+}
+
+// A face of area `area`, and the share of it that a cell at `arm` of the body has; `from`
+// and `to`: its cells, -1 for one of another rank.
+void PressureCorrection::add_term(const FaceTerm& face, double share, const Vec3& arm,
+                                  const Foam::vector& area, int from, int to) {
+  FaceTerm term = face;
+  term.flux = share * wrench(vec3(area), arm);
+  faces_.push_back(term);
+  cells_.push_back({from, term.body, term.flux});
+  if (to >= 0) {
+    cells_.push_back({to, term.body, -term.flux});
+  }
+}
+
+void PressureCorrection::find_internal_terms(const std::vector<Vec3>& arms) {
   const Foam::labelUList& owner = mesh_.owner();
   const Foam::labelUList& neighbour = mesh_.neighbour();
   const Foam::surfaceScalarField& weights = mesh_.weights();
-  const Foam::surfaceVectorField& areas = mesh_.Sf();
   forAll(neighbour, face) {
     for (const bool first : {true, false}) {
       const int cell = first ? owner[face] : neighbour[face];
       const int body = static_cast<int>(std::lround(body_of_[cell]));
       if (body >= 0) {
         const double weight = first ? weights[face] : 1.0 - weights[face];
-        add({face, -1, body, {}}, weight * beta_[cell], arm_of[at(cell)], areas[face],
-            owner[face], neighbour[face]);
+        add_term({face, -1, body, {}}, weight * beta_[cell], arms[at(cell)],
+                 mesh_.Sf()[face], owner[face], neighbour[face]);
       }
     }
   }
+}
+
+void PressureCorrection::find_coupled_terms(const std::vector<Vec3>& arms) {
   forAll(mesh_.boundary(), patch) {
     const Foam::fvPatch& faces = mesh_.boundary()[patch];
     if (!faces.coupled()) {
@@ -179,30 +201,19 @@ void PressureCorrection::find_terms() {
     const Foam::vectorField delta(faces.delta());
     forAll(faces, i) {
       const int cell = faces.faceCells()[i];
-      const double weight = weights.boundaryField()[patch][i];
-      const Foam::vector& area = areas.boundaryField()[patch][i];
+      const double weight = mesh_.weights().boundaryField()[patch][i];
+      const Foam::vector& area = mesh_.Sf().boundaryField()[patch][i];
       const int body = static_cast<int>(std::lround(body_of_[cell]));
       if (body >= 0) {
-        add({i, patch, body, {}}, weight * beta_[cell], arm_of[at(cell)], area, cell, -1);
+        add_term({i, patch, body, {}}, weight * beta_[cell], arms[at(cell)], area, cell,
+                 -1);
       }
       const int other = static_cast<int>(std::lround(other_body[i]));
       if (other >= 0) {
         const Vec3 there = vec3(mesh_.C()[cell] + delta[i]);
-        add({i, patch, other, {}}, (1.0 - weight) * other_beta[i],
-            nearest_arm(box_, spheres_[at(other)].center, there), area, cell, -1);
+        add_term({i, patch, other, {}}, (1.0 - weight) * other_beta[i],
+                 nearest_arm(box_, spheres_[at(other)].center, there), area, cell, -1);
       }
-    }
-  }
-  // One term per cell and body.
-  std::stable_sort(terms.begin(), terms.end(), [](const CellTerm& a, const CellTerm& b) {
-    return a.body != b.body ? a.body < b.body : a.cell < b.cell;
-  });
-  for (const CellTerm& term : terms) {
-    if (!cells_.empty() && cells_.back().cell == term.cell &&
-        cells_.back().body == term.body) {
-      cells_.back().divergence += term.divergence;
-    } else {
-      cells_.push_back(term);
     }
   }
 }

@@ -52,6 +52,10 @@ class PressureCorrection {
   };
 
   void find_terms();
+  void find_internal_terms(const std::vector<Vec3>& arms);
+  void find_coupled_terms(const std::vector<Vec3>& arms);
+  void add_term(const FaceTerm& face, double share, const Vec3& arm,
+                const Foam::vector& area, int from, int to);
   std::vector<Six> motions_of(const Foam::scalarField& dp) const;
 
   const Foam::fvMesh& mesh_;

@@ -330,10 +330,10 @@ void balance(OctreeLevels& levels) {
     for (int k = 0; k < levels.cells[2]; ++k) {
       for (int j = 0; j < levels.cells[1]; ++j) {
         for (int i = 0; i < levels.cells[0]; ++i) {
-          int8_t& level = levels.level[levels.index(i, j, k)];
+          int& level = levels.level[levels.index(i, j, k)];
           const int needed = highest_neighbour(levels, i, j, k) - 1;
           if (level >= 0 && level < needed) {
-            level = static_cast<int8_t>(needed);
+            level = needed;
             changed = true;
           }
         }

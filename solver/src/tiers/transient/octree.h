@@ -21,8 +21,8 @@ using Index3 = std::array<int, 3>;
 /// Which base cells are there, and how finely each is cut.
 struct OctreeLevels {
   Box box;
-  Index3 cells{};             ///< of the base grid, along each axis
-  std::vector<int8_t> level;  ///< [nz][ny][nx]: halvings; -1: cell left out (solid)
+  Index3 cells{};          ///< of the base grid, along each axis
+  std::vector<int> level;  ///< [nz][ny][nx]: halvings; -1: cell left out (solid)
 
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(cells[1]) +

@@ -150,7 +150,7 @@ struct TransientFlow::Impl {
   }
 
   void refine_for(const std::vector<FlowBody>& bodies) {
-    std::fill(levels.level.begin(), levels.level.end(), static_cast<int8_t>(0));
+    std::fill(levels.level.begin(), levels.level.end(), 0);
     const double h = base_size();
     const double half_diagonal = 0.5 * std::sqrt(3.0) * h;
     for (const Sphere& grain : scene.geometry.spheres) {
@@ -158,8 +158,7 @@ struct TransientFlow::Impl {
         if (d < -half_diagonal - kSolidDepth * h) {
           levels.level[cell] = -1;
         } else if (std::abs(d) < half_diagonal + h && levels.level[cell] >= 0) {
-          levels.level[cell] =
-              std::max(levels.level[cell], static_cast<int8_t>(options.wall_refinement));
+          levels.level[cell] = std::max(levels.level[cell], options.wall_refinement);
         }
       });
     }
@@ -167,8 +166,7 @@ struct TransientFlow::Impl {
       const double reach = kRefined * h;
       for_base_cells(body.sphere, reach, [&](std::size_t cell, double d) {
         if (d < reach && levels.level[cell] >= 0) {
-          levels.level[cell] =
-              std::max(levels.level[cell], static_cast<int8_t>(options.refinement));
+          levels.level[cell] = std::max(levels.level[cell], options.refinement);
         }
       });
     }
