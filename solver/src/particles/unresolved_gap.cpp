@@ -1,7 +1,6 @@
 #include "particles/unresolved_gap.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/constants.h"
 
@@ -71,21 +70,12 @@ Matrix12 unresolved_between(const TwoSphereResistance& pair, const Sphere& one,
     return Matrix12::Zero();
   }
   const double mean_radius = 0.5 * (one.radius + two.radius);
-  const auto at = [&](double distance) { return pair.at(distance / mean_radius); };
-  const PairResistance sliding = at(cell * gap_seen_by_grid(gap / cell));
-  const PairResistance turning = at(cell * gap_seen_by_turning(gap / cell));
-  PairResistance seen = at(cell * gap_seen_by_coupling(gap / cell));
-  std::tie(seen.xa11, seen.xa12, seen.xa22) =
-      std::tuple(sliding.xa11, sliding.xa12, sliding.xa22);
-  std::tie(seen.ya11, seen.ya12, seen.ya22) =
-      std::tuple(sliding.ya11, sliding.ya12, sliding.ya22);
-  std::tie(seen.xc11, seen.xc12, seen.xc22) =
-      std::tuple(turning.xc11, turning.xc12, turning.xc22);
-  std::tie(seen.yc11, seen.yc12, seen.yc22) =
-      std::tuple(turning.yc11, turning.yc12, turning.yc22);
+  // One gap for all: sliding in a gap of two spheres resists neither of them alone but
+  // the slip between them, and only with equal logarithms is rolling left free.
+  const double seen = cell * gap_seen_by_grid(gap / cell);
   const Vector3 d = eigen(apart) / r;
-  return grand_resistance(at(gap), one.radius, two.radius, d) -
-         grand_resistance(seen, one.radius, two.radius, d);
+  return grand_resistance(pair.at(gap / mean_radius), one.radius, two.radius, d) -
+         grand_resistance(pair.at(seen / mean_radius), one.radius, two.radius, d);
 }
 
 }  // namespace colloid

@@ -160,6 +160,8 @@ TEST(ResolvedPair, LubricationCompletesNarrowGaps) {
 TEST(ResolvedPair, SettlesWithoutTurningOrParting) {
   const double gap = 0.5;
   const PairMotions exact = exact_motions(gap);
+  // What the walls of the cube do to the difference of the two mobilities: s^2/L^3.
+  const double walls = 2.0 * std::pow(2.0 + gap, 2) / std::pow(12.0, 3);
   for (const auto& [cells, bound] : {std::pair{3, 0.01}, std::pair{6, 0.0025}}) {
     Scene scene = closed_cube(12, Lubrication::full);
     const Vec3 middle = middle_of(scene, cells);
@@ -181,7 +183,7 @@ TEST(ResolvedPair, SettlesWithoutTurningOrParting) {
         2 * cells, norm(apart) / norm(mean), mean.x / kSpeed, drift);
     EXPECT_LT(norm(apart) / norm(mean), bound);
     EXPECT_NEAR(mean.y / kSpeed, 0.0, bound);
-    EXPECT_NEAR(mean.x / kSpeed, drift, 2.0 * bound);
+    EXPECT_NEAR(mean.x / kSpeed, drift, 2.0 * bound + walls);
     EXPECT_NEAR((pair[0].spin.y + pair[1].spin.y) * kBodyRadius / kSpeed, 0.0, bound);
   }
 }
