@@ -110,10 +110,10 @@ BodyBalance balance_of(const Scene& scene, const std::vector<MovingBody>& moving
       unknown.push_back(at + n);
     }
   }
-  balance.motions = Eigen::MatrixXd::Zero(balance.given.size(),
-                                          static_cast<Eigen::Index>(unknown.size()));
+  const Eigen::MatrixXd all = balance.motions;
+  balance.motions.resize(all.rows(), static_cast<Eigen::Index>(unknown.size()));
   for (std::size_t n = 0; n < unknown.size(); ++n) {
-    balance.motions(unknown[n], static_cast<Eigen::Index>(n)) = 1.0;
+    balance.motions.col(static_cast<Eigen::Index>(n)) = all.col(unknown[n]);
   }
   return balance;
 }

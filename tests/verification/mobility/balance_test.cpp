@@ -132,7 +132,7 @@ TEST(Dissipation, IsTheWorkOfDriveAndLoads) {
     problem.cells = {n, n, n};
     problem.drive.kind = FlowDrive::Kind::body_force;
     problem.drive.body_force = {0, 0, 5e3};
-    StokesSolver solver(problem, tight(1e-9));
+    StokesSolver solver(problem, tight(1e-7));
     const double a = 12e-6;
     const Vec3 x{27e-6, 31e-6, 30e-6};
     const MovingBody body{x, {{x, a}}};
