@@ -120,7 +120,7 @@ def measured(solver, folder, case, cells, gap, place):
     scene = {"geometry": {"box": [f"{edge:.9f} um"] * 3, "faces": faces, "bodies": bodies},
              "fluid": {"viscosity": "1 mPa s"},
              "fidelity": {"tier": "quasi_steady", "lubrication": "resolved_only",
-                          "tolerance": 1e-5}}
+                          "tolerance": 1e-6}}
     path = pathlib.Path(folder) / "gap.json"
     path.write_text(json.dumps(scene))
     command = [str(solver), "measure", str(path), "--cells", *[str(n)] * 3]
