@@ -126,6 +126,20 @@ TEST(Run, PushesTheBodiesOfTheScene) {
   }
 }
 
+// Colloids of 0.2 um: Pe below 100.
+TEST(Run, RefusesBrownianMotionOfResolvedColloids) {
+  const std::string scene = write_temporary("brownian.json", R"({"geometry": {
+      "preset": "throat", "collector_diameter": "1.452 um", "height": "2.18 um"},
+    "colloids": {"diameter": "200 nm", "volume_fraction": 0.001},
+    "drive": {"inlet_velocity": "20 um/s"}, "duration": "0.01 s",
+    "fidelity": {"tier": "quasi_steady", "cells_per_colloid": 3}})");
+  const Outcome outcome = run_program("run " + scene + " -o " + temporary("brownian.h5"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("/fidelity/tier: the tier quasi_steady has no Brownian"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST(Run, ShowsProgress) {
   const std::string scene = write_temporary("progress.json", clogging_scene("0.2 s"));
   const Outcome outcome =
