@@ -1,9 +1,11 @@
 """What the scripts that write results/evidence share: run, say where from, draw."""
 import datetime
 import json
+import math
 import os
 import pathlib
 import shlex
+import statistics
 import subprocess
 import sys
 
@@ -49,6 +51,18 @@ def provenance(solver):
             f"- machine: {model}, {os.cpu_count()} cores, {memory:.0f} GiB; one thread used",
             f"- load before the run: {load:.2f} ({quiet})",
             f"- date: {date}"]
+
+
+def interval(values):
+    """Mean and half of the 95 % t-interval; nan where there are fewer than two."""
+    quantile = {1: 12.706, 2: 4.303, 3: 3.182, 4: 2.776, 5: 2.571, 6: 2.447, 7: 2.365,
+                8: 2.306, 9: 2.262}
+    n = len(values)
+    if n == 0:
+        return math.nan, math.nan
+    mean = statistics.fmean(values)
+    return mean, (math.nan if n < 2 else
+                  quantile[n - 1] * statistics.stdev(values) / math.sqrt(n))
 
 
 def write_csv(path, columns, rows):

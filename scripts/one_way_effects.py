@@ -11,7 +11,6 @@ import csv
 import json
 import math
 import pathlib
-import statistics
 import subprocess
 import tempfile
 
@@ -82,18 +81,6 @@ def pick(rows, name, group=None):
             if r["variant"] == name and (group is None or r["group"] == group)}
 
 
-def interval(values):
-    """Mean and half of the 95 % t-interval; nan where there are fewer than two."""
-    quantile = {1: 12.706, 2: 4.303, 3: 3.182, 4: 2.776, 5: 2.571, 6: 2.447, 7: 2.365,
-                8: 2.306, 9: 2.262}
-    n = len(values)
-    if n == 0:
-        return math.nan, math.nan
-    mean = statistics.fmean(values)
-    return mean, (math.nan if n < 2 else
-                  quantile[n - 1] * statistics.stdev(values) / math.sqrt(n))
-
-
 def summarise(rows):
     reference = pick(rows, REFERENCE)
     table = []
@@ -112,7 +99,7 @@ def summarise(rows):
                  [1e6 * number(r, "critical_diameter_m") for r in own.values()]),
                 ("permeability_ratio", [number(r, "permeability_ratio") for r in own.values()]),
                 ("cpu_s", [number(r, "cpu_seconds") for r in own.values()])]:
-            entry[key], entry[key + "_ci"] = interval(values)
+            entry[key], entry[key + "_ci"] = evidence.interval(values)
         table.append(entry)
     return table
 

@@ -207,7 +207,7 @@ inline std::vector<BadScene> bad_combinations() {
        5, "/geometry/bodies/0", "overlaps grain 0", false},
       {box_with("wwwwww",
                 R"("bodies": [{"center": ["5 um", "5 um", "5 um"], "diameter": "4 um",
-                               "force": ["1 pN", "0 N", "0 N"]}])",
+                               "velocity": ["1 um/s", "0 m/s", "0 m/s"]}])",
                 R"("fidelity": {"tier": "one_way"})"),
        6, "/fidelity/tier", "need quasi_steady or transient", false},
   };

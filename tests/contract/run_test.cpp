@@ -102,6 +102,44 @@ TEST(Run, StartsWithTheBodiesOfTheScene) {
   EXPECT_EQ(injections[1].at("position_m"), Json({48.3e-6, 13.35e-6, 72.45e-6}));
 }
 
+// The first of those two, pushed up harder than the stream carries it down (0.1 nN), or
+// less; by both tiers.
+TEST(Run, PushesTheBodiesOfTheScene) {
+  for (const char* tier : {"one_way", "quasi_steady"}) {
+    for (const auto& [push, traversed] : {std::pair{"0.5 nN", 0}, std::pair{"1 pN", 1}}) {
+      const std::string text =
+          std::string(R"({"geometry": {"preset": "throat", "bodies": [
+      {"center": ["48 um", "49 um", "100 um"], "diameter": "13.3 um",
+       "force": ["0 N", "0 N", ")") +
+          push + R"("]}]},
+    "colloids": {"diameter": "13.3 um", "volume_fraction": 0},
+    "drive": {"inlet_velocity": "0.5 mm/s"}, "duration": "0.3 s",
+    "fidelity": {"cells_per_colloid": 3, "tier": ")" +
+          tier + "\"}}";
+      const std::string scene = write_temporary("pushed.json", text);
+      const Outcome outcome =
+          run_program("run " + scene + " -o " + temporary("pushed.h5") + " --json");
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      EXPECT_EQ(Json::parse(outcome.out).at("counts").at("traversed"), traversed)
+          << tier << " " << push;
+    }
+  }
+}
+
+// Colloids of 0.2 um: Pe below 100.
+TEST(Run, RefusesBrownianMotionOfResolvedColloids) {
+  const std::string scene = write_temporary("brownian.json", R"({"geometry": {
+      "preset": "throat", "collector_diameter": "1.452 um", "height": "2.18 um"},
+    "colloids": {"diameter": "200 nm", "volume_fraction": 0.001},
+    "drive": {"inlet_velocity": "20 um/s"}, "duration": "0.01 s",
+    "fidelity": {"tier": "quasi_steady", "cells_per_colloid": 3}})");
+  const Outcome outcome = run_program("run " + scene + " -o " + temporary("brownian.h5"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("/fidelity/tier: the tier quasi_steady has no Brownian"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST(Run, ShowsProgress) {
   const std::string scene = write_temporary("progress.json", clogging_scene("0.2 s"));
   const Outcome outcome =

@@ -44,24 +44,44 @@ Pair bracket(const Grid& grid, const AxisStencil& stencil, int component, int ax
   return pair;
 }
 
-// Distance of a point from the nearest of the spheres near these unknowns; periodic
-// images count.  Grid units.
-double surface_distance(const std::vector<Sphere>& spheres, const Grid& grid,
-                        const std::vector<int>& near, const Vec3& x) {
-  double distance = 1e300;
-  for (int s : near) {
-    const Sphere& sphere = spheres[static_cast<std::size_t>(s)];
-    Vec3 e = x - sphere.center;
-    for (int a = 0; a < 3; ++a) {
-      const auto p = static_cast<std::size_t>(a);
-      if (grid.periodic[p]) {
-        const double length = grid.position[p].back();
-        e[a] -= length * std::round(e[a] / length);
-      }
+// From the centre of a sphere, or of its nearest image, to x.  Grid units.
+Vec3 from_centre(const Sphere& sphere, const Grid& grid, const Vec3& x) {
+  Vec3 e = x - sphere.center;
+  for (int a = 0; a < 3; ++a) {
+    const auto p = static_cast<std::size_t>(a);
+    if (grid.periodic[p]) {
+      const double length = grid.position[p].back();
+      e[a] -= length * std::round(e[a] / length);
     }
-    distance = std::min(distance, norm(e) - sphere.radius);
   }
-  return distance;
+  return e;
+}
+
+// The nearest to a point of the spheres near these unknowns.
+struct NearestSphere {
+  int sphere = -1;
+  double distance = 1e300;  ///< from its surface
+};
+NearestSphere nearest_sphere(const StokesSolver& solver, const Grid& grid,
+                             const std::vector<int>& near, const Vec3& x) {
+  NearestSphere nearest;
+  for (int s : near) {
+    const Sphere& sphere = solver.sphere_in_rows(s);
+    const double distance = norm(from_centre(sphere, grid, x)) - sphere.radius;
+    if (distance < nearest.distance) {
+      nearest = {s, distance};
+    }
+  }
+  return nearest;
+}
+
+Vec3 face_centre(const Grid& grid, int component, const std::array<int, 3>& at) {
+  Vec3 x;
+  for (int a = 0; a < 3; ++a) {
+    const double spacing = grid.position[static_cast<std::size_t>(a)][1];
+    x[a] = (at[static_cast<std::size_t>(a)] + (a == component ? 0.0 : 0.5)) * spacing;
+  }
+  return x;
 }
 
 // The eight unknowns around a point, one after the other, then what they say.
@@ -76,9 +96,12 @@ double component_at(const StokesSolver& solver, int component, const Vec3& x) {
         bracket(grid, rows.axes()[static_cast<std::size_t>(a)], component, a, x[a]);
   }
 
+  struct OpenCorner {
+    std::array<int, 3> at;
+    double value, moment, weight;
+  };
+  std::vector<OpenCorner> open;
   double plain = 0.0;
-  double shear = 0.0;
-  double open_weight = 0.0;
   bool beyond = false;  // a corner outside the box: a wall's own value takes part
   std::vector<int> near;
   for (std::size_t m = 0; m < 8; ++m) {
@@ -112,26 +135,42 @@ double component_at(const StokesSolver& solver, int component, const Vec3& x) {
       near.push_back(rows.nearest(component, at[0], at[1], at[2]).sphere);
     }
     if (moment > 0.0 && value != 0.0) {
-      shear += weight * value / moment;
-      open_weight += weight;
+      open.push_back({at, value, moment, weight});
     }
   }
   if (near.empty()) {
     return plain;
   }
-  const double distance = surface_distance(solver.grid_spheres(), grid, near, x);
-  if (distance <= 0.0) {
-    return 0.0;
+  const NearestSphere nearest = nearest_sphere(solver, grid, near, x);
+  const auto wall_velocity = [&](const Vec3& point) {
+    return solver.surface_velocity(
+        nearest.sphere,
+        from_centre(solver.sphere_in_rows(nearest.sphere), grid, point))[component];
+  };
+  if (nearest.distance <= 0.0) {
+    return wall_velocity(x);
   }
   // From half a spacing to a whole one the profile from the wall passes into the plain
   // one; next to a wall of the box the wall's own no slip rules.
   const double spacing = grid.position[0][1];
-  const double from_wall = beyond || open_weight <= 0.0
-                               ? 0.0
-                               : std::clamp(2.0 - 2.0 * distance / spacing, 0.0, 1.0);
-  return from_wall > 0.0
-             ? from_wall * distance * shear / open_weight + (1.0 - from_wall) * plain
-             : plain;
+  const double from_wall =
+      beyond || open.empty()
+          ? 0.0
+          : std::clamp(2.0 - 2.0 * nearest.distance / spacing, 0.0, 1.0);
+  if (from_wall == 0.0) {
+    return plain;
+  }
+  // Shear of the velocity relative to the surface.
+  double shear = 0.0;
+  double open_weight = 0.0;
+  for (const OpenCorner& corner : open) {
+    shear += corner.weight *
+             (corner.value - wall_velocity(face_centre(grid, component, corner.at))) /
+             corner.moment;
+    open_weight += corner.weight;
+  }
+  return from_wall * (wall_velocity(x) + nearest.distance * shear / open_weight) +
+         (1.0 - from_wall) * plain;
 }
 
 }  // namespace

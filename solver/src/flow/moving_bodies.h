@@ -21,7 +21,8 @@ struct MovingBody {
 ///     V = given + motions q,     motions' (H(V) + load - resistance V) = 0
 ///
 /// H the wrenches of the fluid.  Bodies that are moved have no columns in `motions`, free
-/// ones six of the identity, bonds leave fewer.
+/// ones six, bonds leave fewer.  The residual of a solve weighs q alike: a column for a
+/// spin must not be one of 1 rad/s but of surfaces that move like the others, at 1 m/s.
 struct BodyBalance {
   Eigen::VectorXd given;
   Eigen::MatrixXd motions;     ///< 6 n x m
@@ -31,7 +32,8 @@ struct BodyBalance {
   Eigen::MatrixXd guess;
 };
 
-/// Force-free bodies, or with `load`; the guess is Stokes' for isolated spheres.
+/// Force-free bodies, or with `load`; the guess is Stokes' for isolated spheres, spins
+/// are counted by the fastest point of a body.
 BodyBalance free_bodies(const std::vector<MovingBody>& bodies, double viscosity);
 
 }  // namespace colloid

@@ -494,11 +494,15 @@ void StokesSolver::set_bodies(const std::vector<MovingBody>& bodies) {
   bodies_ = bodies;
   std::vector<Sphere> spheres;
   std::vector<BodyRows::Body> grid_bodies;
+  moving_spheres_.clear();
   for (const MovingBody& body : bodies) {
     BodyRows::Body grid_body{body.centre * (1.0 / length_), {}};
     for (const Sphere& s : body.spheres) {
-      grid_body.spheres.push_back({s.center * (1.0 / length_), s.radius / length_});
-      spheres.push_back(grid_body.spheres.back());
+      const Sphere sphere{s.center * (1.0 / length_), s.radius / length_};
+      grid_body.spheres.push_back(sphere);
+      spheres.push_back(sphere);
+      moving_spheres_.push_back({sphere, static_cast<Eigen::Index>(grid_bodies.size()),
+                                 sphere.center - grid_body.centre});
     }
     grid_bodies.push_back(grid_body);
   }
@@ -552,6 +556,23 @@ const StokesStatistics& StokesSolver::solve(const BodyBalance& balance) {
   superpose_flow();
   body_rows_->fill_bodies(motion, flow_);
   return statistics_;
+}
+
+const Sphere& StokesSolver::sphere_in_rows(int sphere) const {
+  const auto s = static_cast<std::size_t>(sphere);
+  return s < grid_spheres_.size() ? grid_spheres_[s]
+                                  : moving_spheres_.at(s - grid_spheres_.size()).sphere;
+}
+
+Vec3 StokesSolver::surface_velocity(int sphere, const Vec3& from_centre) const {
+  const auto s = static_cast<std::size_t>(sphere);
+  if (s < grid_spheres_.size()) {
+    return {};
+  }
+  const MovingSphere& moving = moving_spheres_.at(s - grid_spheres_.size());
+  const auto v = body_motion_.segment<6>(6 * moving.body);
+  return Vec3{v[0], v[1], v[2]} +
+         cross(Vec3{v[3], v[4], v[5]}, (moving.arm + from_centre) * length_);
 }
 
 Eigen::VectorXd StokesSolver::body_wrench() const {

@@ -65,7 +65,11 @@ class StokesSolver {
   double pressure_unit() const { return problem_.viscosity / length_; }  ///< [Pa]
   const FlowFaces& flow_faces() const { return faces_; }
   Vec3 grid_body_force() const { return grid_force_; }
-  const std::vector<Sphere>& grid_spheres() const { return grid_spheres_; }
+  const std::vector<Sphere>& grid_spheres() const { return grid_spheres_; }  ///< fixed
+  /// The sphere of that number in the rows, fixed ones first.
+  const Sphere& sphere_in_rows(int sphere) const;
+  /// Velocity of its surface, or of its inside, at `from_centre` of it; zero if fixed.
+  Vec3 surface_velocity(int sphere, const Vec3& from_centre) const;
 
  private:
   void build();
@@ -108,6 +112,12 @@ class StokesSolver {
       unit_;  ///< responses to unit forces (mean_velocity)
   Vec3 grid_force_;
   std::vector<MovingBody> bodies_;
+  struct MovingSphere {
+    Sphere sphere;  ///< grid units
+    Eigen::Index body = 0;
+    Vec3 arm;  ///< from the body's centre
+  };
+  std::vector<MovingSphere> moving_spheres_;  ///< in the order of the rows
   std::unique_ptr<BodyRows> body_rows_;
   Eigen::VectorXd body_motion_;
   StokesStatistics statistics_;

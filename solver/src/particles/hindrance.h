@@ -75,6 +75,7 @@ class EqualPairHindrance {
  public:
   EqualPairHindrance() : resistance_(1.0) {}
   PairHindrance at(double gap_over_radius) const;
+  const TwoSphereResistance& resistance() const { return resistance_; }
 
  private:
   TwoSphereResistance resistance_;

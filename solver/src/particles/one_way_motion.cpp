@@ -1,6 +1,7 @@
 #include "particles/one_way_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -10,9 +11,6 @@
 namespace colloid {
 
 namespace {
-
-// Wider gaps are resolved by the grid.
-constexpr double kResolvedCells = 5.0;
 
 Matrix6 shift_of(const Vec3& arm, double radius) {
   // Motion of the member: U + w x r, so (U, aw) -> (U - [r/a]x aw, aw).
@@ -149,6 +147,12 @@ void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies,
     HeldColloid held = isolated();
     Vector6 load = Vector6::Zero();
     load.head<3>() = eigen(options_.weight) / drag_;
+    const int id = bodies[b].members[static_cast<std::size_t>(member.index)].id;
+    if (id < static_cast<int>(options_.given.size())) {
+      const BodyWrench& given = options_.given[static_cast<std::size_t>(id)];
+      load.head<3>() += eigen(given.force) / drag_;
+      load.tail<3>() += eigen(given.torque) / (drag_ * a);
+    }
     const bool forces =
         options_.grain_forces || options_.wall_forces || options_.colloid_forces;
     if (wall_hindrance_ || forces) {
@@ -351,20 +355,12 @@ Matrix6 OneWayMotion::narrow_gaps(const Vec3& position, double cell) const {
   Matrix6 sum = Matrix6::Zero();
   std::vector<NearSurface> near;
   surfaces_.near(position, near);
-  for (NearSurface surface : near) {
-    if (!is_surface(surfaces_.box(), surface.id) ||
-        surface.distance - options_.radius >= kResolvedCells * cell) {
-      continue;
+  for (const NearSurface& surface : near) {
+    if (is_surface(surfaces_.box(), surface.id)) {
+      sum += unresolved_beside(*wall_hindrance_, surface, options_.radius,
+                               contact_gap(options_.rules, surfaces_.box(), surface.id),
+                               cell);
     }
-    const double least = contact_gap(options_.rules, surfaces_.box(), surface.id);
-    HeldColloid held;
-    wall_hindrance_->add(surface, least, {}, held);
-    sum += held.resistance;
-    held = {};
-    const double gap = std::max(least, surface.distance - options_.radius);
-    surface.distance = options_.radius + cell * gap_seen_by_grid(gap / cell);
-    wall_hindrance_->add(surface, least, {}, held);
-    sum -= held.resistance;
   }
   return sum;
 }
@@ -372,41 +368,48 @@ Matrix6 OneWayMotion::narrow_gaps(const Vec3& position, double cell) const {
 Eigen::MatrixXd OneWayMotion::lubrication(const std::vector<RigidBody>& bodies,
                                           double cell) const {
   const auto n = 6 * static_cast<Eigen::Index>(bodies.size());
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(n, n);   // units of small_matrix.h
+  Eigen::MatrixXd between = Eigen::MatrixXd::Zero(n, n);  // SI, over mu
   const std::vector<Member> members = members_of(bodies);
   const double a = options_.radius;
+  const auto arm_of = [&](const Member& member) {
+    return bodies[static_cast<std::size_t>(member.body)]
+        .arms[static_cast<std::size_t>(member.index)];
+  };
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Member& one = members[i];
     const auto at = 6 * static_cast<Eigen::Index>(one.body);
-    const Vec3& arm = bodies[static_cast<std::size_t>(one.body)]
-                          .arms[static_cast<std::size_t>(one.index)];
     if (wall_hindrance_) {
-      const Matrix6 t = shift_of(arm, a);
-      sum.block<6, 6>(at, at) += t.transpose() * narrow_gaps(one.position, cell) * t;
+      const Matrix6 t = shift_of(arm_of(one), a);
+      beside.block<6, 6>(at, at) += t.transpose() * narrow_gaps(one.position, cell) * t;
     }
     for (std::size_t j = i + 1; pair_hindrance_ && j < members.size(); ++j) {
       const Member& two = members[j];
       if (one.body == two.body) {
         continue;
       }
-      const Vec3 e = shortest(surfaces_.box(), one.position, two.position);
-      const double r = norm(e);
-      const double gap = std::max(r - 2.0 * a, options_.rules.colloid_gap);
-      if (gap >= kResolvedCells * cell) {
+      const Vec3 e = shortest(surfaces_.box(), two.position, one.position);
+      if (norm(e) - 2.0 * a >= kResolvedCells * cell) {
         continue;
       }
-      const Vec3 along = e * (1.0 / r);
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-      row.segment<6>(at) = normal_row(bodies, one, along, a);
-      row.segment<6>(6 * static_cast<Eigen::Index>(two.body)) =
-          -normal_row(bodies, two, along, a);
-      const double beyond =
-          pair_hindrance_->at(gap / a).squeeze -
-          pair_hindrance_->at(cell * gap_seen_by_grid(gap / cell) / a).squeeze;
-      sum += 0.5 * beyond * row * row.transpose();
+      const Matrix12 pair =
+          unresolved_between(pair_hindrance_->resistance(), {one.position, a},
+                             {one.position + e, a}, options_.rules.colloid_gap, cell);
+      const std::array<Matrix6, 2> to_member{shift_of(arm_of(one), 1.0),
+                                             shift_of(arm_of(two), 1.0)};
+      const std::array<Eigen::Index, 2> place{at,
+                                              6 * static_cast<Eigen::Index>(two.body)};
+      for (Eigen::Index p = 0; p < 2; ++p) {
+        for (Eigen::Index q = 0; q < 2; ++q) {
+          const auto k = static_cast<std::size_t>(p);
+          const auto l = static_cast<std::size_t>(q);
+          between.block<6, 6>(place[k], place[l]) +=
+              to_member[k].transpose() * pair.block<6, 6>(6 * p, 6 * q) * to_member[l];
+        }
+      }
     }
   }
-  return in_si(sum);
+  return in_si(beside) + options_.viscosity * between;
 }
 
 }  // namespace colloid

@@ -14,11 +14,12 @@
 namespace colloid {
 
 struct OneWayOptions {
-  double radius = 0.0;         ///< a of every colloid [m]
-  double viscosity = 0.0;      ///< mu [Pa s]
-  Vec3 weight;                 ///< gravity less buoyancy on one colloid [N]
-  bool wall_hindrance = true;  ///< by grains, retained colloids and walls
-  bool pair_hindrance = true;  ///< between mobile colloids
+  double radius = 0.0;            ///< a of every colloid [m]
+  double viscosity = 0.0;         ///< mu [Pa s]
+  Vec3 weight;                    ///< gravity less buoyancy on one colloid [N]
+  std::vector<BodyWrench> given;  ///< on the colloids with the first ids, besides
+  bool wall_hindrance = true;     ///< by grains, retained colloids and walls
+  bool pair_hindrance = true;     ///< between mobile colloids
   ContactRules rules;
   // Surface forces beyond the gap of contact; null: too short in range to matter.
   std::shared_ptr<const SurfaceForces> grain_forces;

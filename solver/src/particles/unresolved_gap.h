@@ -1,19 +1,47 @@
-// How wide a gap a flow solved on a grid takes a narrow one for.
+// What a flow solved on a grid leaves out of the resistance in narrow gaps.  MODEL (Q2)
+//
+// The exact resistance at the gap less that at the gap the grid takes it for: normal,
+// tangential and rotational, of the motion relative to the other surface.
 #pragma once
 
 #include <cmath>
 
+#include "core/box.h"
+#include "particles/hindrance.h"
+#include "particles/small_matrix.h"
+#include "particles/unresolved_gap_coefficients.h"
+#include "physics/pair_resistance.h"
+
 namespace colloid {
 
-/// The gap [cells] at which the exact resistance of two surfaces is that which the flow
-/// solver finds at `gap` [cells]: wider by a fifth of a cell near contact, by less than a
-/// hundredth beyond three.  From the normal resistance of a sphere beside a plane at 6 to
-/// 16 cells per diameter, gaps of 0.06 to 2.4 cells (tests/verification/mobility): good
-/// to 0.02 cells.  The tangential resistance follows it within 5 %.               MODEL
-/// (Q2)
+/// Gaps of more cells are resolved by the grid.
+constexpr double kResolvedCells = 5.0;
+
+/// The gap [cells] at which the exact force of two surfaces that approach or slide is
+/// that which the flow solver finds at `gap` [cells]: wider by a fifth of a cell near
+/// contact, by less than a hundredth beyond three.  Calibrated, and its error measured,
+/// by scripts/calibrate_lubrication.py (results/evidence/lubrication).
 inline double gap_seen_by_grid(double gap) {
-  constexpr double kWidening = 0.23;
-  return gap + kWidening * std::exp(-gap);
+  return gap + kGapWidening * std::exp(-gap / kGapRange);
 }
+/// The same of the torques of spins, and of the forces that spins make.
+inline double gap_seen_by_turning(double gap) {
+  return gap + kGapWideningTurning * std::exp(-gap / kGapRangeTurning);
+}
+inline double gap_seen_by_coupling(double gap) {
+  return gap + kGapWideningCoupling * std::exp(-gap / kGapRangeCoupling);
+}
+
+/// Beside a fixed surface, of a sphere of `radius` [m]; units of small_matrix.h.  Smaller
+/// gaps count as `least_gap`, `cell` is the grid's width [m].
+Matrix6 unresolved_beside(const SurfaceHindrance& hindrance, const NearSurface& surface,
+                          double radius, double least_gap, double cell);
+
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+
+/// Of two spheres that both move, `pair` made for the ratio of their radii: their
+/// wrenches over mu against (U_1, w_1, U_2, w_2) in m and s, about their centres.
+Matrix12 unresolved_between(const TwoSphereResistance& pair, const Sphere& one,
+                            const Sphere& two, double least_gap, double cell);
 
 }  // namespace colloid

@@ -123,10 +123,11 @@ void check_spheres(const Geometry& geometry) {
 
 void check_bodies(const Geometry& geometry, const Fidelity& fidelity) {
   const std::vector<Body>& bodies = geometry.bodies;
-  const bool driven = std::any_of(bodies.begin(), bodies.end(), is_driven);
+  const bool driven = std::any_of(bodies.begin(), bodies.end(),
+                                  [](const Body& body) { return body.velocity; });
   require(!driven || fidelity.tier != TierChoice::one_way, "/fidelity/tier",
-          "is one_way, but /geometry/bodies with a force, torque or velocity need "
-          "quasi_steady or transient");
+          "is one_way, but /geometry/bodies with a velocity need quasi_steady or "
+          "transient");
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::string where = fmt::format("/geometry/bodies/{}", i);
     const Sphere& body = bodies[i].sphere;

@@ -90,10 +90,11 @@ void check_starting_colloids(const SceneFile& file) {
   const std::vector<Body>& bodies = file.scene.geometry.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const std::string at = fmt::format("/geometry/bodies/{}", b);
-    if (is_driven(bodies[b])) {
-      file.refuse(at,
-                  "is moved by a force, torque or velocity of its own, which can be "
-                  "measured (poreclog-solve measure); a run starts with free colloids");
+    if (bodies[b].velocity) {
+      file.refuse(
+          at + "/velocity",
+          "is prescribed, which can be measured (poreclog-solve measure); in a run "
+          "nothing would stop the body at other surfaces: expected a force, or null");
     }
     const double own = 2.0 * bodies[b].sphere.radius;
     const double diameter = file.scene.colloids ? file.scene.colloids->diameter : own;

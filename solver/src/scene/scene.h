@@ -23,11 +23,6 @@ struct Body {
   std::optional<Vec3> velocity;  ///< prescribed [m/s]; absent: free
 };
 
-/// Something besides the liquid moves it.
-inline bool is_driven(const Body& body) {
-  return body.velocity || !(body.force == Vec3{}) || !(body.torque == Vec3{});
-}
-
 struct Geometry {
   Preset preset = Preset::none;
   double collector_diameter = 96.6e-6;  ///< d_c of the throat [m]

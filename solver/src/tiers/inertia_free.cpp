@@ -72,6 +72,9 @@ OneWayOptions InertiaFreeScene::motion_options(bool wall_hindrance,
   motion.radius = radius;
   motion.viscosity = scene.fluid.viscosity;
   motion.weight = models.gravity.needed ? weight_in_liquid(scene) : Vec3{};
+  for (const Body& body : scene.geometry.bodies) {
+    motion.given.push_back({body.force, body.torque});
+  }
   motion.wall_hindrance = wall_hindrance;
   motion.pair_hindrance = pair_hindrance;
   motion.rules = contacts.rules;

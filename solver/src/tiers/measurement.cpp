@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "flow/interpolation.h"
 #include "tiers/flow_scales.h"
+#include "tiers/gap_lubrication.h"
 
 namespace colloid {
 
@@ -109,12 +110,22 @@ BodyBalance balance_of(const Scene& scene, const std::vector<MovingBody>& moving
       unknown.push_back(at + n);
     }
   }
-  balance.motions = Eigen::MatrixXd::Zero(balance.given.size(),
-                                          static_cast<Eigen::Index>(unknown.size()));
+  const Eigen::MatrixXd all = balance.motions;
+  balance.motions.resize(all.rows(), static_cast<Eigen::Index>(unknown.size()));
   for (std::size_t n = 0; n < unknown.size(); ++n) {
-    balance.motions(unknown[n], static_cast<Eigen::Index>(n)) = 1.0;
+    balance.motions.col(static_cast<Eigen::Index>(n)) = all.col(unknown[n]);
   }
   return balance;
+}
+
+// Zero for what is to be resolved only.
+GapLubrication lubrication_of(const Scene& scene, const StokesProblem& problem,
+                              double cell) {
+  if (scene.fidelity.lubrication == Lubrication::full) {
+    return gap_lubrication(scene, problem.spheres, cell);
+  }
+  const auto n = 6 * static_cast<Eigen::Index>(scene.geometry.bodies.size());
+  return {Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
 }
 
 // Something besides the bodies must hold the liquid, or all of it drifts freely.
@@ -133,14 +144,15 @@ void refuse_drifting(const Scene& scene, const StokesProblem& problem) {
 }
 
 std::vector<BodyMeasurement> measured_bodies(const StokesSolver& solver,
-                                             std::size_t count) {
+                                             const GapLubrication& gaps) {
   const auto part = [](const Eigen::VectorXd& six, std::size_t at) {
     const auto n = static_cast<Eigen::Index>(at);
     return Vec3{six[n], six[n + 1], six[n + 2]};
   };
-  const Eigen::VectorXd wrench = solver.body_wrench();
+  const Eigen::VectorXd wrench =
+      solver.body_wrench() + gaps.drive - gaps.resistance * solver.body_motion();
   std::vector<BodyMeasurement> out;
-  for (std::size_t b = 0; b < count; ++b) {
+  for (std::size_t b = 0; 6 * b < static_cast<std::size_t>(wrench.size()); ++b) {
     out.push_back({part(solver.body_motion(), 6 * b),
                    part(solver.body_motion(), 6 * b + 3),
                    {part(wrench, 6 * b), part(wrench, 6 * b + 3)}});
@@ -177,9 +189,13 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
   if (moving.empty()) {
     m.statistics = solver.solve();
   } else {
+    const GapLubrication gaps = lubrication_of(scene, problem, solver.length_unit());
+    BodyBalance balance = balance_of(scene, moving);
+    balance.resistance = gaps.resistance;
+    balance.load += gaps.drive;
     solver.set_bodies(moving);
-    m.statistics = solver.solve(balance_of(scene, moving));
-    m.bodies = measured_bodies(solver, moving.size());
+    m.statistics = solver.solve(balance);
+    m.bodies = measured_bodies(solver, gaps);
   }
   m.pressure_drop = solver.pressure_drop();
   m.superficial_velocity = solver.superficial_velocity();

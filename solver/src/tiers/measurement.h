@@ -55,9 +55,9 @@ struct Measurement {
   std::vector<ProfilePoint> profile;
 };
 
-/// Bodies move by (F18) in the resolved flow alone: gaps below a cell between them and
-/// other surfaces hinder them too little.  Refuses a blocked throat whose drive holds a
-/// flux (blocked under another drive: flow rate and permeability are 0) and a line that
+/// Bodies move by (F18); `fidelity.lubrication` says whether gaps that the grid does not
+/// resolve hinder them by (Q2) or too little.  Refuses a blocked throat whose drive holds
+/// a flux (blocked under another drive: flow rate and permeability are 0) and a line that
 /// leaves the box; throws ConvergenceError if the flow does not converge.
 Measurement measure(const Scene& scene, const MeasureOptions& options);
 

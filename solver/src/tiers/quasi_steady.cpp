@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "tiers/inertia_free.h"
 #include "tiers/resolved_motion.h"
 
@@ -16,11 +19,21 @@ constexpr double kMostTravel = 0.5;
 // does.
 constexpr double kTolerance = 1e-3;
 
+// MODEL (Q4).
+void refuse_brownian(const ModelDecision& brownian) {
+  require(!brownian.needed, "/fidelity/tier", [&] {
+    return fmt::format(
+        "the tier quasi_steady has no Brownian motion, but {}; expected \"one_way\"",
+        brownian.reason);
+  });
+}
+
 }  // namespace
 
 std::optional<Realisation> run_quasi_steady(const Scene& scene,
                                             const RunOptions& options) {
   InertiaFreeScene ready(scene, options, "quasi_steady");
+  refuse_brownian(ready.regime.colloids->models.brownian);
   const bool full = scene.fidelity.lubrication == Lubrication::full;
   const OneWayMotion model(ready.motion_options(full, full), ready.flow, ready.surfaces,
                            ready.grain_radii);

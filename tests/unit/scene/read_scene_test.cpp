@@ -57,11 +57,20 @@ TEST(ReadScene, ReadsBodiesForTheTiersThatMoveThem) {
   EXPECT_FALSE(body.velocity);
   EXPECT_FALSE(file.scene.colloids);
   EXPECT_FALSE(file.scene.drive.given());
+  EXPECT_NO_THROW(check_starting_colloids(file));
+}
+
+TEST(ReadScene, StartsNoRunWithAPrescribedVelocity) {
+  const SceneFile file = parse_scene(R"({"geometry": {"preset": "throat", "bodies": [
+        {"center": ["48 um", "48 um", "130 um"], "diameter": "13.3 um",
+         "velocity": ["0 m/s", "0 m/s", "1 um/s"]}]},
+        "colloids": {"diameter": "13.3 um"}, "drive": {"inlet_velocity": "0.5 mm/s"}})",
+                                     "s.json");
   try {
     check_starting_colloids(file);
-    FAIL() << "a body with a force was not refused";
+    FAIL() << "a body that is moved was not refused";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("/geometry/bodies/0: is moved by a force"));
+    EXPECT_THAT(error.what(), HasSubstr("/geometry/bodies/0/velocity: is prescribed"));
   }
 }
 

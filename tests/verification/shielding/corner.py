@@ -22,7 +22,7 @@ def resistance(solver, folder, d, h, axis, cells):
     scene = {"geometry": {"box": [f"{EDGE} um"] * 3, "faces": FACES,
                           "bodies": [{"center": [f"{d} um", f"{EDGE / 2} um", f"{h} um"],
                                       "diameter": "2 um", "velocity": velocity}]},
-             "fluid": {"viscosity": "1 mPa s"}}
+             "fluid": {"viscosity": "1 mPa s"}, "fidelity": {"lubrication": "resolved_only"}}
     path = pathlib.Path(folder) / "corner.json"
     path.write_text(json.dumps(scene))
     done = subprocess.run([solver, "measure", path, "--cells", *[str(cells)] * 3],
