@@ -44,9 +44,10 @@ TierAdvice advise_tier(const Scene& scene, const Regime& regime) {
     return {TierChoice::transient, "inertia counts: " + regime.inertia.reason};
   }
   const auto& bodies = scene.geometry.bodies;
-  if (std::any_of(bodies.begin(), bodies.end(), is_driven)) {
+  if (std::any_of(bodies.begin(), bodies.end(),
+                  [](const Body& body) { return body.velocity.has_value(); })) {
     return {TierChoice::quasi_steady,
-            "the cheapest that is valid with bodies under a force, torque or velocity"};
+            "the cheapest that is valid with bodies at a velocity"};
   }
   return {TierChoice::one_way, "the cheapest that is valid"};
 }

@@ -32,7 +32,7 @@ constexpr double kRestTravel = 0.01;  // of the radius
 // within a third in between.
 constexpr double kResolvedGap = 0.25;
 constexpr int kMostSettling = 400;
-constexpr double kSettled = 1e-4;
+constexpr double kSettled = 3e-4;
 constexpr double kSettlingStep = 0.1;  // over the viscous time of the narrowest passage
 // Explicit coupling is stable below about this much of the relaxation time (Stokes drag
 // with added mass and history); narrow gaps need less still.
@@ -104,10 +104,11 @@ void refuse(const Scene& scene, const Regime& regime) {
         regime.colloids->models.brownian.reason);
   });
   for (std::size_t n = 0; n < scene.geometry.bodies.size(); ++n) {
-    require(
-        !is_driven(scene.geometry.bodies[n]), fmt::format("/geometry/bodies/{}", n),
-        "the tier transient starts with free bodies alone; expected no force, torque or "
-        "velocity");
+    const Body& body = scene.geometry.bodies[n];
+    require(body.force == Vec3{} && body.torque == Vec3{} && !body.velocity,
+            fmt::format("/geometry/bodies/{}", n),
+            "the tier transient starts with free bodies alone; expected no force, torque "
+            "or velocity");
   }
 }
 
