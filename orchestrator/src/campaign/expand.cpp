@@ -84,11 +84,16 @@ bool is_within(const std::string& pointer, const std::string& outer) {
 /// Says again what the solver said of a file of ours, of the line the user wrote.
 [[noreturn]] void refuse_scene(const Campaign& campaign, const Choice& choice,
                                const std::string& complaint) {
-  const std::size_t at = complaint.find(": /");
-  if (at == std::string::npos) {
-    throw InputError(campaign.path, "the scene is refused: " + complaint);
+  // What the scene says wrongly is said of a line; what its flow shows, of a pointer
+  // only.
+  std::string rest = complaint;
+  if (rest.rfind('/', 0) != 0) {
+    const std::size_t at = complaint.find(": /");
+    if (at == std::string::npos) {
+      throw InputError(campaign.path, "the scene is refused: " + complaint);
+    }
+    rest = complaint.substr(at + 2);
   }
-  const std::string rest = complaint.substr(at + 2);
   const std::string pointer = rest.substr(0, rest.find(": "));
   const std::string why =
       rest.size() > pointer.size() + 2 ? rest.substr(pointer.size() + 2) : "is refused";
@@ -126,15 +131,11 @@ json spelt_out(const Campaign& campaign, const SolverProgram& solver,
   }
 }
 
-/// What `auto` means for this scene; the solver measures its flow to tell.
-std::string tier_that_runs(const Campaign& campaign, const SolverProgram& solver,
-                           const Choice& choice, const json& scene) {
-  const auto tier = scene.at("fidelity").at("tier").get<std::string>();
-  if (tier != "auto") {
-    return tier;
-  }
+/// Of a scene whose tier is auto: the solver measures its flow to say what that means.
+json regime_of(const Campaign& campaign, const SolverProgram& solver,
+               const Choice& choice, const json& scene) {
   try {
-    return solver.regime(scene).value("/tier/name"_json_pointer, tier);
+    return solver.regime(scene);
   } catch (const InputError& error) {
     if (error.where() != "scene") {
       throw;
@@ -195,14 +196,16 @@ Plan expand(const Campaign& campaign, const SolverProgram& solver) {
         plan.points.push_back(std::move(point));
       }
       const std::string chosen = scene.at("fidelity").at("tier").get<std::string>();
-      const std::string runs = tier_that_runs(campaign, solver, choice, scene);
+      const json regime =
+          chosen == "auto" ? regime_of(campaign, solver, choice, scene) : json::object();
+      const auto runs = regime.value("/tier/name"_json_pointer, chosen);
       if (campaign.ranks > 1 && runs != "transient") {
         refuse(campaign, "/ranks",
                fmt::format("is {}, but a realisation of tier {} is one process",
                            campaign.ranks, runs));
       }
       const std::string hash = hash_of_scene(scene);
-      plan.ensembles.push_back({number, chosen, std::move(scene), hash, runs});
+      plan.ensembles.push_back({number, chosen, std::move(scene), hash, runs, regime});
     }
   }
   return plan;

@@ -52,9 +52,12 @@ Plan plan_from(const json& value) {
   }
   for (const json& ensemble : value.at("ensembles")) {
     const auto tier = ensemble.at("tier").get<std::string>();
-    plan.ensembles.push_back({ensemble.at("point").get<int>(), tier, ensemble.at("scene"),
+    plan.ensembles.push_back({ensemble.at("point").get<int>(),
+                              tier,
+                              ensemble.at("scene"),
                               ensemble.at("scene_hash"),
-                              ensemble.value("runs_as", tier)});
+                              ensemble.value("runs_as", tier),
+                              {}});
   }
   return plan;
 }

@@ -27,7 +27,8 @@ struct Ensemble {
   std::string tier;        ///< as asked for: may be "auto"
   nlohmann::json scene;    ///< every default spelled out
   std::string scene_hash;  ///< of the scene without its remark
-  std::string runs_as;  ///< the tier that runs: `tier`, or what the solver says auto is
+  std::string runs_as;    ///< the tier that runs: `tier`, or what the solver says auto is
+  nlohmann::json regime;  ///< that the solver was asked for to say so; not kept in files
 };
 
 struct Plan {  // NOLINT(bugprone-exception-escape): as above

@@ -91,7 +91,7 @@ class Check : public Command {
     long to_run = 0;
     std::optional<double> core_seconds = 0.0;
     for (const Ensemble& e : plan.ensembles) {
-      const nlohmann::json regime = solver.regime(e.scene);
+      const nlohmann::json regime = e.regime.empty() ? solver.regime(e.scene) : e.regime;
       const Past past = past_of(plan, e, absolute(common_.database));
       const Cost cost = cost_of(regime, past, plan);
       const long left = plan.realisations - past.ingested - past.failed;

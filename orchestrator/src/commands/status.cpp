@@ -130,7 +130,8 @@ class StatusCommand : public Command {
                               row["tier"].get<std::string>(),
                               {},
                               "",
-                              ""};
+                              "",
+                              {}};
       const std::string realisation =
           fmt::format("{}/{:06}", folder.ensemble(ensemble), ask.integer(0));
       const std::vector<int> attempts = attempts_in(realisation);

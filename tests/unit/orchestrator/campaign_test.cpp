@@ -111,7 +111,7 @@ Plan small_plan() {
     plan.points.push_back({i, sha256(values.dump()), values});
     json scene{{"d", i}, {"e", "5 s"}, {"description", "x"}};
     const std::string hash = hash_of_scene(scene);
-    plan.ensembles.push_back({i, "one_way", scene, hash, "one_way"});
+    plan.ensembles.push_back({i, "one_way", scene, hash, "one_way", {}});
   }
   return plan;
 }

@@ -26,7 +26,7 @@ class StoreTest : public testing::Test {
     plan_.realisations = 4;
     plan_.statistics = json::object();
     plan_.points.push_back({0, sha256("{}"), json::object()});
-    plan_.ensembles.push_back({0, "one_way", {{"a", 1}}, sha256("scene"), "one_way"});
+    plan_.ensembles.push_back({0, "one_way", {{"a", 1}}, sha256("scene"), "one_way", {}});
   }
   ~StoreTest() override {
     for (const char* suffix : {"", "-wal", "-shm"}) {
