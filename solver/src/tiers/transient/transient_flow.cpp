@@ -237,8 +237,7 @@ struct TransientFlow::Impl {
       }
     }
     fields->flux = Foam::fvc::flux(fields->velocity);
-    fixed_entries.clear();
-    fixed_spheres.clear();
+    fixed_known = false;
     counts.cells = static_cast<long>(first_cells(levels).back());
     ++counts.grids;
   }
@@ -369,20 +368,15 @@ struct TransientFlow::Impl {
   // Entries of grains first, then of bodies; `spheres` has the same order.
   std::vector<ImmersedEntry> immersed(const std::vector<FlowBody>& bodies, double dt) {
     const std::size_t grains = scene.geometry.spheres.size();
-    if (fixed_spheres.size() != grains) {
-      fixed_spheres.clear();
-      for (const Sphere& grain : scene.geometry.spheres) {
-        fixed_spheres.push_back(
-            {grain.center, grain.radius + shift(options.wall_refinement)});
-      }
-      fixed_entries = immerse(levels, octree, fixed_spheres, viscosity);
+    if (!fixed_known) {
+      fixed_entries = immerse(levels, octree, scene.geometry.spheres, viscosity);
+      fixed_known = true;
     }
-    spheres = fixed_spheres;
+    spheres = scene.geometry.spheres;
     std::vector<Sphere> moving;
     for (const FlowBody& body : bodies) {
-      moving.push_back(
-          {body.sphere.center, body.sphere.radius + shift(options.refinement)});
-      spheres.push_back(moving.back());
+      moving.push_back(body.sphere);
+      spheres.push_back(body.sphere);
     }
     std::vector<ImmersedEntry> entries = fixed_entries;
     for (ImmersedEntry entry : immerse(levels, octree, moving, viscosity)) {
@@ -393,10 +387,6 @@ struct TransientFlow::Impl {
       entry.strength += entry.solid ? kRigid / dt : 0.0;
     }
     return entries;
-  }
-
-  double shift(int level) const {
-    return options.surface_shift * levels.spacing(0) / (1 << level);
   }
 
   std::vector<MomentumBody> momentum_bodies(const std::vector<FlowBody>& bodies,
@@ -660,7 +650,7 @@ struct TransientFlow::Impl {
   OctreeMesh octree;
   std::unique_ptr<Foam::fvMesh> mesh;
   std::unique_ptr<Fields> fields;
-  std::vector<Sphere> fixed_spheres;         // grains, as the flow sees them
+  bool fixed_known = false;
   std::vector<ImmersedEntry> fixed_entries;  // of this grid
   std::vector<Sphere> spheres;               // grains and bodies of this step
   Vec3 grain_force;

@@ -42,7 +42,6 @@ struct TransientFlowOptions {
   int outer_iterations = 1;          ///< of momentum and pressure, a step
   double momentum_tolerance = 1e-4;  ///< relative residual of the momentum
   double pressure_tolerance = 1e-3;  ///< relative residual of the pressure
-  double surface_shift = 0.0;  ///< of every surface outwards, over the cell there [-]
 };
 
 struct TransientFlowCounts {
