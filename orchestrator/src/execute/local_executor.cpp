@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -11,6 +10,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,14 +25,32 @@ namespace {
 constexpr double kPace = 0.5;         // [s] our own children wake us by SIGCHLD
 constexpr double kPaceAdopted = 0.1;  // [s] others' children do not
 
-/// Starts a program in a session of its own, so that a Ctrl-C at the terminal reaches
-/// only us; with no blocked and no ignored signals.
-///
-/// By vfork, as posix_spawn does inside: the child borrows our memory until it becomes
-/// the program, so nothing of it is copied.  posix_spawn also maps a stack for the child
-/// and unmaps it again every time, which is dear where processes run under a hypervisor;
-/// we wait meanwhile and do not need ours.  No handler of ours can run in the child: we
-/// have none (base/signals.h).
+/// Attributes for children: a session of their own, so that a Ctrl-C at the terminal
+/// reaches only us; no blocked and no ignored signals.
+class SpawnAttributes {
+ public:
+  SpawnAttributes() {
+    sigset_t none{};
+    sigset_t ignored{};
+    ::sigemptyset(&none);
+    ::sigemptyset(&ignored);
+    ::sigaddset(&ignored, SIGPIPE);
+    ::posix_spawnattr_init(&attributes_);
+    ::posix_spawnattr_setsigmask(&attributes_, &none);
+    ::posix_spawnattr_setsigdefault(&attributes_, &ignored);
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK |
+                                                 POSIX_SPAWN_SETSIGDEF |
+                                                 POSIX_SPAWN_SETSID);
+  }
+  SpawnAttributes(const SpawnAttributes&) = delete;
+  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+  ~SpawnAttributes() { ::posix_spawnattr_destroy(&attributes_); }
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
 pid_t spawn(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);
@@ -40,24 +58,11 @@ pid_t spawn(const std::vector<std::string>& words) {
     arguments.push_back(const_cast<char*>(word.c_str()));
   }
   arguments.push_back(nullptr);
-  sigset_t none{};
-  ::sigemptyset(&none);
-  volatile int error = 0;
-  // NOLINTNEXTLINE(clang-analyzer-security.insecureAPI.vfork): see above
-  const pid_t child = ::vfork();
-  if (child == 0) {
-    ::setsid();
-    std::signal(SIGPIPE, SIG_DFL);
-    ::pthread_sigmask(SIG_SETMASK, &none, nullptr);
-    ::execve(arguments[0], arguments.data(), environ);
-    error = errno;
-    ::_exit(127);
-  }
-  error = child < 0 ? errno : error;
+  pid_t child = 0;
+  const SpawnAttributes attributes;
+  const int error = ::posix_spawn(&child, arguments[0], nullptr, attributes.get(),
+                                  arguments.data(), environ);
   if (error != 0) {
-    if (child > 0) {
-      ::waitpid(child, nullptr, 0);
-    }
     throw StorageError(
         fmt::format("{} cannot be started: {}", words[0], std::strerror(error)));
   }
