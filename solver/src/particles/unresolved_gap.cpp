@@ -39,7 +39,9 @@ Matrix12 grand_resistance(const PairResistance& r, double a, double b, const Vec
   const auto square = [](double x) { return x * x; };
   const auto cube = [](double x) { return x * x * x; };
   Matrix12 out;
-  const auto block = [&](int i, int j) { return out.block<3, 3>(3 * i, 3 * j); };
+  const auto block = [&](Eigen::Index i, Eigen::Index j) {
+    return out.block<3, 3>(3 * i, 3 * j);
+  };
   // Order of blocks: U_1, w_1, U_2, w_2.
   block(0, 0) = 6.0 * kPi * a * tensor(r.xa11, r.ya11);
   block(0, 2) = 3.0 * kPi * mean * tensor(r.xa12, r.ya12);

@@ -1,0 +1,67 @@
+// Spheres that settle in a closed box.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "flow_scenes.h"
+
+namespace colloid {
+
+// ten Cate et al. (2002), Phys. Fluids 14, 4012, table 1 and figures 5, 6.
+struct Experiment {
+  const char* name;
+  double density;    // of the liquid [kg/m^3]
+  double viscosity;  // [Pa s]
+  double peak;       // largest speed of the fall [m/s]
+};
+constexpr Experiment kSlow{"E1, Re 1.5", 970.0, 0.373, 0.035986};
+constexpr Experiment kFast{"E4, Re 31.9", 960.0, 0.058, 0.12224};
+
+struct Fall {
+  double peak = 0.0;
+  double drift = 0.0;     // sideways, largest [m]
+  double rebound = 0.0;   // largest upward speed [m/s]
+  double last_gap = 0.0;  // [m]
+};
+
+inline Fall fall(const Experiment& e, int cells_per_diameter, double until_gap) {
+  constexpr double kDiameter = 0.015;
+  constexpr double kDensity = 1120.0;
+  Scene scene;
+  scene.fluid.density = e.density;
+  scene.fluid.viscosity = e.viscosity;
+  scene.geometry.box = {{0.1, 0.1, 0.16}, {kWall, kWall, kWall, kWall, kWall, kWall}};
+  const int n = static_cast<int>(std::lround(0.1 / kDiameter * cells_per_diameter / 2.0));
+  TransientFlowOptions options = base_cells(n, n, n * 8 / 5, 1);
+  options.outer_iterations = 2;
+  TransientFlow flow(scene, options);
+  const double volume = kPi / 6.0 * std::pow(kDiameter, 3);
+  std::vector<FlowBody> bodies{
+      free_sphere({0.05, 0.05, 0.12 + 0.5 * kDiameter}, 0.5 * kDiameter, kDensity,
+                  {0.0, 0.0, -9.81 * (kDensity - e.density) * volume})};
+  Fall out;
+  double t = 0.0;
+  while (bodies[0].sphere.center.z > 0.5 * kDiameter + until_gap) {
+    const double dt = std::min(
+        {0.005, 0.3 * flow.courant_time(),
+         0.3 * flow.cell_at_bodies() / std::max(norm(bodies[0].velocity), 1e-6)});
+    const FlowResponse moved = flow.step(dt, bodies)[0];
+    bodies[0].velocity = moved.velocity;
+    bodies[0].spin = moved.spin;
+    bodies[0].sphere.center += dt * moved.velocity;
+    t += dt;
+    out.peak = std::max(out.peak, -moved.velocity.z);
+    out.rebound = std::max(out.rebound, moved.velocity.z);
+    out.drift = std::max(out.drift, std::hypot(bodies[0].sphere.center.x - 0.05,
+                                               bodies[0].sphere.center.y - 0.05));
+    if (t > 10.0) {
+      break;
+    }
+  }
+  out.last_gap = bodies[0].sphere.center.z - 0.5 * kDiameter;
+  return out;
+}
+
+}  // namespace colloid
