@@ -27,7 +27,7 @@ SCENE = {
     "drive": {"inlet_velocity": "0.5 mm/s"},
     "colloids": {"diameter": "8 um", "volume_fraction": 0.0},
     "duration": "0.04 s",
-    "fidelity": {"tier": "transient", "cells_per_colloid": 3},
+    "fidelity": {"tier": "transient", "cells_per_colloid": 3, "wall_refinement": 1},
 }
 PASSES = 1  # index of the colloid that passes
 
@@ -101,9 +101,9 @@ class TransientRun(unittest.TestCase):
         self.assertGreater(np.count_nonzero(there), 100)
         apart = np.linalg.norm(a[there] - b[there], axis=1)
         travelled = np.linalg.norm(b[there][-1] - b[there][0])
-        # Second order in the cell, two thirds of a micrometre: 2 % of the way at 6 cells a
-        # diameter (0.5 % at 12).
-        self.assertLess(apart.max(), 0.02 * travelled)
+        # The drag of an array is 1.4 % off at 9.9 cells per diameter (transient_flow), hence 3.8 %
+        # at 6 by second order: so much may a path lag behind.
+        self.assertLess(apart.max(), 0.038 * travelled)
         self.assertGreater(travelled, 10e-6)
 
     def test_goes_on_bit_for_bit_after_interruptions(self):
