@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particles/surfaces.h"
 #include "tiers/transient/ranks.h"
 
 namespace colloid {
@@ -212,7 +213,7 @@ void PressureCorrection::find_coupled_terms(const std::vector<Vec3>& arms) {
       if (other >= 0) {
         const Vec3 there = vec3(mesh_.C()[cell] + delta[i]);
         add_term({i, patch, other, {}}, (1.0 - weight) * other_beta[i],
-                 nearest_arm(box_, spheres_[at(other)].center, there), area, cell, -1);
+                 shortest(box_, there, spheres_[at(other)].center), area, cell, -1);
       }
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particles/surfaces.h"
+
 namespace colloid {
 
 namespace {
@@ -22,16 +24,6 @@ double cut(const Vec3& arm, int axis, double step, double r) {
 
 }  // namespace
 
-Vec3 nearest_arm(const Box& box, const Vec3& centre, const Vec3& x) {
-  Vec3 arm = x - centre;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (box.periodic(axis)) {
-      arm[axis] -= box.size[axis] * std::round(arm[axis] / box.size[axis]);
-    }
-  }
-  return arm;
-}
-
 std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh& mesh,
                                    const std::vector<Sphere>& bodies, double viscosity) {
   std::vector<ImmersedEntry> entries;
@@ -41,7 +33,7 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double r = bodies[b].radius;
     for (std::size_t cell = 0; cell < mesh.centres.size(); ++cell) {
-      const Vec3 arm = nearest_arm(levels.box, bodies[b].center, mesh.centres[cell]);
+      const Vec3 arm = shortest(levels.box, mesh.centres[cell], bodies[b].center);
       const double size = mesh.size[cell];
       const double reach = r + longest * size;
       const double distance2 = dot(arm, arm);

@@ -34,9 +34,6 @@ struct ImmersedEntry {
 /// largest contribution of a link.  What leaks is its reciprocal.
 constexpr double kRigid = 1e3;
 
-/// From `centre` to `x` by the shortest way through periodic faces [m].
-Vec3 nearest_arm(const Box& box, const Vec3& centre, const Vec3& x);
-
 /// Entries of all bodies, by body, then by cell, those inside without the 1/dt.
 /// `viscosity`: kinematic [m^2/s].
 std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh& mesh,
