@@ -163,7 +163,8 @@ class Cluster:
         out = subprocess.run(["squeue", "-h", "-r", "-t", "all", "-o", "%F %K %T"],
                              capture_output=True, text=True, check=True).stdout
         rows = [line.split() for line in out.splitlines()]
-        return {(int(job), int(index)): state for job, index, state in rows}
+        # Of an array that was cancelled before a task began there is one row without index.
+        return {(int(job), int(index)): state for job, index, state in rows if index != "N/A"}
 
     def node_states(self):
         out = subprocess.run(["sinfo", "-h", "-N", "-o", "%N %T"], capture_output=True,

@@ -379,6 +379,25 @@ class Tasks(OnSlurm):
         self.poreclog("run", "c", SECONDS=0.2)
         self.assertEqual(self.content(), self.undisturbed(campaign))
 
+    def test_that_all_wait_are_cancelled_and_sent_again(self):
+        campaign = self.write(realisations=3, slurm={"options": ["--begin=now+1hour"]})
+        self.poreclog("submit", campaign)
+        self.assertEqual(set(self.tasks().values()), {"PENDING"})
+        self.poreclog("cancel", "c")
+        self.assertEqual(self.cluster.queue("PD,R,CG,S"), [])
+        self.assertEqual(self.status()["total"]["eligible"], 3)
+        self.poreclog("submit", campaign)
+        subprocess.run(["scancel", *self.cluster.queue("PD")], check=True)  # somebody else
+        # Slurm may then list the array in one line, whose index is N/A.
+        merged = self.wrapper("squeue", f'{shutil.which("squeue")} "$@" | '
+                              "sed -E 's/^([0-9]+)[|][0-9]+[|]CANCELLED/\\1|N\\/A|CANCELLED/' |"
+                              " uniq\n")
+        status = json.loads(self.poreclog("status", "c", "--json", prefix=merged).stdout)
+        self.assertEqual((status["slurm"]["tasks_unknown"], status["total"]["eligible"]), (0, 3))
+        self.write(realisations=3)
+        self.poreclog("run", campaign)
+        self.assertEqual(self.content(), self.undisturbed(campaign))
+
     def test_that_wait_or_ignore_signals_are_cancelled_too(self):
         campaign = self.write(realisations=20)
         self.poreclog("submit", campaign, FAULT="ignore_term")
@@ -411,7 +430,9 @@ class Tasks(OnSlurm):
         subprocess.run(["scontrol", "requeue", f"{job}_1"], check=True)
         self.wait_until(lambda: self.tasks()[(job, 1)] == "PENDING")
         self.assertEqual(self.status()["total"]["active"], 4)
-        subprocess.run(["scontrol", "update", f"jobid={job}_1", "starttime=now"], check=True)
+        # Slurm would wait for two minutes; within the same second its nodes take the new
+        # credential for the one that the requeue has revoked.
+        subprocess.run(["scontrol", "update", f"jobid={job}_1", "starttime=now+2"], check=True)
         self.wait_for_tasks()
         self.poreclog("resume", "c")  # nothing is left to send
         self.assertEqual(self.content(), self.undisturbed(campaign))

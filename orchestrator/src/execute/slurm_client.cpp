@@ -56,7 +56,8 @@ std::string value_of(const std::string& text, const std::string& key) {
   return "";
 }
 
-/// "12|3|PENDING|Resources|name"; none if it is the line of no array's task.
+/// "12|3|PENDING|Resources|name"; none if it is the line of no array's task.  An array
+/// that was cancelled before its tasks began may be one line with the index N/A.
 std::optional<SlurmTask> task_from(const std::string& line) {
   std::vector<std::string> cells(1);
   for (const char c : line) {
@@ -66,11 +67,12 @@ std::optional<SlurmTask> task_from(const std::string& line) {
       cells.back() += c;
     }
   }
-  if (cells.size() != 5 || !is_number(cells[0]) || !is_number(cells[1])) {
+  const bool all = cells.size() == 5 && cells[1] == "N/A";
+  if (cells.size() != 5 || !is_number(cells[0]) || !(all || is_number(cells[1]))) {
     return std::nullopt;
   }
-  return SlurmTask{std::stoll(cells[0]), std::stoi(cells[1]), cells[2], cells[3],
-                   cells[4]};
+  return SlurmTask{std::stoll(cells[0]), all ? SlurmTask::kAll : std::stoi(cells[1]),
+                   cells[2], cells[3], cells[4]};
 }
 
 }  // namespace

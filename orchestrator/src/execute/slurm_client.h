@@ -21,11 +21,12 @@ struct SlurmLimits {
 
 /// One task of an array, as squeue lists it.
 struct SlurmTask {
+  static constexpr int kAll = -1;
   std::int64_t job = 0;  ///< of the array
-  int index = 0;
-  std::string state;   ///< PENDING, RUNNING, COMPLETED, ...
-  std::string reason;  ///< why it waits
-  std::string name;    ///< of the job
+  int index = 0;         ///< kAll: of those that Slurm no longer tells apart
+  std::string state;     ///< PENDING, RUNNING, COMPLETED, ...
+  std::string reason;    ///< why it waits
+  std::string name;      ///< of the job
 };
 
 enum class Answer { yes, no, none };

@@ -115,22 +115,24 @@ void SlurmJobs::update(Known& known, const std::vector<SlurmTask>& listed) const
   }
   std::fill(known.tasks.begin(), known.tasks.end(), absent);
   for (const SlurmTask& task : listed) {
-    const auto index = static_cast<std::size_t>(task.index);
     if (std::find(known.jobs.begin(), known.jobs.end(), task.job) == known.jobs.end()) {
       known.jobs.push_back(task.job);
-    }
-    if (index >= known.tasks.size()) {
-      continue;
     }
     const std::optional<bool> active = is_active_state(task.state);
     const State state = !active                   ? State::unknown
                         : !*active                ? State::ended
                         : task.state == "PENDING" ? State::waiting
                                                   : State::running;
-    // Of two arrays of the same list the one that may still run decides.
-    Task& now = known.tasks[index];
-    if (now.state == State::ended || state == State::running) {
-      now = {state, task.state, task.reason};
+    const bool all = task.index == SlurmTask::kAll;
+    const std::size_t first = all ? 0 : static_cast<std::size_t>(task.index);
+    const std::size_t end =
+        all ? known.tasks.size() : std::min(first + 1, known.tasks.size());
+    for (std::size_t i = first; i < end; ++i) {
+      // Of two arrays of the same list the one that may still run decides.
+      Task& now = known.tasks[i];
+      if (now.state == State::ended || state == State::running) {
+        now = {state, task.state, task.reason};
+      }
     }
   }
 }
