@@ -4,7 +4,7 @@ Moves a sphere towards a plane wall (which lies on the grid), two spheres toward
 places between the grid's planes), and turns one beside a wall, which makes it slide, with poreclog-solve measure and "lubrication":
 "resolved_only", and finds the gap at which the exact resistance (Brenner 1961; MODEL R2) is the one
 measured.  Fits seen = gap + w exp(-gap/range), in cells, over all resolutions: for the forces (range 1), the
-torques and the coupling of both; --write puts the numbers, rounded to a hundredth, into
+torques, and the coupling of both (with the torques' range); --write puts the numbers, rounded to a hundredth, into
 solver/src/particles/unresolved_gap_coefficients.h.  Writes results/evidence/lubrication/{gaps.csv,
 lubrication.png,generated.md}: the error of the corrected resistance per resolution.
 Needs a release build and gnuplot.  Usage: python3 scripts/calibrate_lubrication.py [--help]
@@ -178,12 +178,13 @@ def fits(rows):
     grid's own error, of second order, does not hide it; without the coarsest grid."""
     fine = [r for r in rows if r["cells"] > min(CELLS)]
     forces = [r for r in fine if r["case"] in ("wall", "pair") and r["gap_cells"] < NARROW["force"]]
-    out = {"force": (fit(forces, 1.0)[0], 1.0)}
-    for case in ("turning", "coupling"):
-        mine = [r for r in fine if r["case"] == case and r["gap_cells"] < NARROW[case]]
-        reach = min((0.01 * k for k in range(5, 101)), key=lambda d, mine=mine: fit(mine, d)[1])
-        out[case] = fit(mine, reach)[0], reach
-    return out
+    turns, couplings = ([r for r in fine if r["case"] == case and r["gap_cells"] < NARROW[case]]
+                        for case in ("turning", "coupling"))
+    reach = min((0.01 * k for k in range(5, 101)), key=lambda d: fit(turns, d)[1])
+    # The coupling's range is that of the torques: where it reached further than they do, the
+    # correction as a whole would not be positive definite, and could feed motion.
+    return {"force": (fit(forces, 1.0)[0], 1.0), "turning": (fit(turns, reach)[0], reach),
+            "coupling": (fit(couplings, reach)[0], reach)}
 
 
 def seen(used, case, gap):
@@ -203,23 +204,23 @@ def judge(rows, used):
 
 
 def write_header(fitted):
-    (force, _), (torque, reach), (couple, couple_reach) = (
+    (force, _), (torque, reach), (couple, _) = (
         fitted[k] for k in ("force", "turning", "coupling"))
     HEADER.write_text(f"""// Written by scripts/calibrate_lubrication.py from measured forces; not by hand.
 #pragma once
 
 namespace colloid {{
 
-/// By how much the grid takes a gap that closes for wider [cells]: for forces, for torques,
-/// which it resolves better, and for the coupling of both, which it resolves worse.
+/// By how much the grid takes a gap that closes for wider [cells]: for forces, for
+/// torques, which it resolves better, and for the coupling of both, which it resolves
+/// worse.
 constexpr double kGapWidening = {force:.2f};
 constexpr double kGapWideningTurning = {torque:.2f};
 constexpr double kGapWideningCoupling = {couple:.2f};
 
-/// Gap by which the widening falls to 1/e [cells].
+/// Gap by which the widening falls to 1/e [cells]; the coupling has that of torques.
 constexpr double kGapRange = 1.0;
 constexpr double kGapRangeTurning = {reach:.2f};
-constexpr double kGapRangeCoupling = {couple_reach:.2f};
 
 }}  // namespace colloid
 """)
@@ -230,7 +231,7 @@ def in_use():
     value = {m[0]: float(m[1]) for m in re.findall(r"(kGap\w+) = ([0-9.]+);", text)}
     return {"force": (value["kGapWidening"], value["kGapRange"]),
             "turning": (value["kGapWideningTurning"], value["kGapRangeTurning"]),
-            "coupling": (value["kGapWideningCoupling"], value["kGapRangeCoupling"])}
+            "coupling": (value["kGapWideningCoupling"], value["kGapRangeTurning"])}
 
 
 def report(rows, failed, fitted, used, folder, lines):

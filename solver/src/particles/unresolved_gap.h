@@ -29,7 +29,7 @@ inline double gap_seen_by_turning(double gap) {
   return gap + kGapWideningTurning * std::exp(-gap / kGapRangeTurning);
 }
 inline double gap_seen_by_coupling(double gap) {
-  return gap + kGapWideningCoupling * std::exp(-gap / kGapRangeCoupling);
+  return gap + kGapWideningCoupling * std::exp(-gap / kGapRangeTurning);
 }
 
 /// Beside a fixed surface, of a sphere of `radius` [m]; units of small_matrix.h.  Smaller

@@ -7,12 +7,11 @@ namespace colloid {
 /// torques, which it resolves better, and for the coupling of both, which it resolves
 /// worse.
 constexpr double kGapWidening = 0.23;
-constexpr double kGapWideningTurning = 0.15;
-constexpr double kGapWideningCoupling = 0.87;
+constexpr double kGapWideningTurning = 0.17;
+constexpr double kGapWideningCoupling = 0.70;
 
-/// Gap by which the widening falls to 1/e [cells].
+/// Gap by which the widening falls to 1/e [cells]; the coupling has that of torques.
 constexpr double kGapRange = 1.0;
-constexpr double kGapRangeTurning = 0.21;
-constexpr double kGapRangeCoupling = 0.14;
+constexpr double kGapRangeTurning = 0.18;
 
 }  // namespace colloid
