@@ -18,6 +18,13 @@ namespace colloid {
 
 /// Where and how densely colloids enter.
 struct InjectionPlan {
+  /// Unit vector against the flow: out of the inlet.
+  Vec3 upstream() const {
+    Vec3 up;
+    up[axis_of(inlet_face)] = is_upper(inlet_face) ? 1.0 : -1.0;
+    return up;
+  }
+
   int inlet_face = z_plus;  ///< a Face: its axis and side
   /// Corners of the rectangle of admissible centres [m].  On the inlet's axis both have
   /// the coordinate at which a colloid's top is in the inlet plane; on a periodic axis

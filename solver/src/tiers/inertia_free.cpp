@@ -7,7 +7,6 @@
 #include "core/constants.h"
 #include "core/error.h"
 #include "tiers/flow_problem.h"
-#include "tiers/flow_scales.h"
 
 namespace colloid {
 
@@ -17,15 +16,6 @@ Vec3 weight_in_liquid(const Scene& scene) {
   const double a = 0.5 * scene.colloids->diameter;
   const double volume = 4.0 / 3.0 * kPi * a * a * a;
   return scene.gravity * (volume * (scene.colloids->density - scene.fluid.density));
-}
-
-Regime regime_of(const Scene& scene, const DepositFlow& flow) {
-  CriticalDiameterOptions search;
-  search.flow_axis = flow.solver().flow_axis();
-  const CriticalDiameter critical =
-      critical_diameter(scene.geometry.box, scene.geometry.spheres, search);
-  return analyse_regime(scene,
-                        flow_scales(flow.solver(), flow.flow_rate(), critical.value));
 }
 
 void refuse_inertia(const Regime& regime, const char* tier) {

@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "core/constants.h"
+#include "observe/critical_diameter.h"
 #include "physics/surface_pair.h"
+#include "tiers/deposit_flow.h"
+#include "tiers/flow_scales.h"
 #include "tiers/surface_model.h"
 
 namespace colloid {
@@ -133,6 +136,15 @@ Regime analyse_regime(const Scene& scene, const FlowScales& scales) {
   regime.inertia = c.models.inertia;
   regime.colloids = c;
   return regime;
+}
+
+Regime regime_of(const Scene& scene, const DepositFlow& flow) {
+  CriticalDiameterOptions search;
+  search.flow_axis = flow.solver().flow_axis();
+  const CriticalDiameter critical =
+      critical_diameter(scene.geometry.box, scene.geometry.spheres, search);
+  return analyse_regime(scene,
+                        flow_scales(flow.solver(), flow.flow_rate(), critical.value));
 }
 
 }  // namespace colloid

@@ -54,4 +54,8 @@ struct Regime {
 
 Regime analyse_regime(const Scene& scene, const FlowScales& scales);
 
+class DepositFlow;
+/// Of the clean pore, with the flow already solved.
+Regime regime_of(const Scene& scene, const DepositFlow& flow);
+
 }  // namespace colloid

@@ -1,16 +1,24 @@
 #include "tiers/run_record.h"
 
+#include <cmath>
+#include <utility>
+
 namespace colloid {
 
-SeriesRow make_series_row(const RunState& state, double critical_diameter,
-                          double permeability, double first_permeability,
-                          int first_injected) {
+namespace {
+
+constexpr long kOutputs = 500;        // intervals of the series and trajectories
+constexpr double kRestSpeed = 1e-3;   // of the inlet's speed
+constexpr double kRestTravel = 0.01;  // of the radius
+
+SeriesRow series_row(const RunState& state, const GrowingDeposit& deposit,
+                     double permeability, int first_injected) {
   const Realisation& r = state.realisation;
   SeriesRow row;
   row.time = state.time;
-  row.critical_diameter = critical_diameter;
+  row.critical_diameter = deposit.critical().value;
   row.permeability = permeability;
-  row.permeability_ratio = permeability / first_permeability;
+  row.permeability_ratio = permeability / deposit.first_permeability();
   row.injected = first_injected + state.next_injection;
   row.delayed = static_cast<long>(state.delayed.size());
   for (const RigidBody& body : state.bodies) {
@@ -27,6 +35,7 @@ SeriesRow make_series_row(const RunState& state, double critical_diameter,
   return row;
 }
 
+// Retained colloids, then mobile ones.
 Frame make_frame(const RunState& state, double radius) {
   Frame out;
   out.step = state.next_output;
@@ -45,9 +54,55 @@ Frame make_frame(const RunState& state, double radius) {
   return out;
 }
 
-Counts final_counts(const SeriesRow& last) {
-  return {last.injected, last.delayed,  last.mobile,
-          last.bonded,   last.retained, last.traversed};
+}  // namespace
+
+double next_output_time(const RunState& state, double duration) {
+  return duration * static_cast<double>(state.next_output) / kOutputs;
+}
+
+void record_output(RunState& state, const GrowingDeposit& deposit, double permeability,
+                   int first_injected, double radius) {
+  state.realisation.series.push_back(
+      series_row(state, deposit, permeability, first_injected));
+  state.realisation.frames.push_back(make_frame(state, radius));
+}
+
+void record_end(RunState& state, const Scene& scene, const GrowingDeposit& deposit,
+                double permeability, int first_injected) {
+  Realisation& r = state.realisation;
+  r.duration = state.time;
+  if (scene.stop_when == StopWhen::clogged && !std::isnan(r.tc)) {
+    r.ending = Ending::clogged;
+  }
+  if (r.series.empty() || r.series.back().time < state.time) {
+    record_output(state, deposit, permeability, first_injected,
+                  0.5 * scene.colloids->diameter);
+  }
+  const SeriesRow last = series_row(state, deposit, permeability, first_injected);
+  r.counts = {last.injected, last.delayed,  last.mobile,
+              last.bonded,   last.retained, last.traversed};
+}
+
+void inject_next(RunState& state, InjectionSequence& sequence, int first_injected,
+                 const std::function<bool(int)>& inject) {
+  const int index = state.next_injection++;
+  const InjectedColloid& colloid = sequence.at(index);
+  state.realisation.injections.push_back(
+      {first_injected + index, colloid.volume, kNotYet, colloid.position});
+  if (!inject(index)) {
+    state.delayed.push_back(index);
+    ++state.times_delayed;
+  }
+}
+
+void inject_waiting(RunState& state, const std::function<bool(int)>& inject) {
+  std::vector<int> waiting;
+  std::swap(waiting, state.delayed);
+  for (const int index : waiting) {
+    if (!inject(index)) {
+      state.delayed.push_back(index);
+    }
+  }
 }
 
 bool has_room(const RunState& state, const FixedSurfaces& surfaces, const Vec3& position,
@@ -68,6 +123,21 @@ bool has_room(const RunState& state, const FixedSurfaces& surfaces, const Vec3& 
     }
   }
   return true;
+}
+
+RestRule::RestRule(double inlet_speed, double radius)
+    : limit_(kRestSpeed * inlet_speed), travel_(kRestTravel * radius) {}
+
+bool RestRule::at_rest(RigidBody& body, bool held, double speed, double time) const {
+  if (!held || speed > limit_) {
+    body.slow_since = kNotYet;
+  } else if (std::isnan(body.slow_since) || norm(body.centre - body.slow_at) > travel_) {
+    body.slow_since = time;
+    body.slow_at = body.centre;
+  } else {
+    return time - body.slow_since >= travel_ / limit_;
+  }
+  return false;
 }
 
 }  // namespace colloid

@@ -16,9 +16,6 @@ namespace colloid {
 
 namespace {
 
-constexpr long kOutputs = 500;          // intervals of the series and trajectories
-constexpr double kRestSpeed = 1e-3;     // of the inlet's speed
-constexpr double kRestTravel = 0.01;    // of the radius
 constexpr int kEscapePushes = 24;       // of the table of escape rates
 constexpr double kThermalTravel = 0.1;  // per thermal step, over the radius or the gap
 constexpr long kPairsPerBody = 3;       // of normal draws: six numbers
@@ -36,13 +33,6 @@ IntegratorOptions integrator_options(const Scene& scene, const LoopParts& parts)
   return options;
 }
 
-// Against the flow: out of the inlet.
-Vec3 upstream_of(const InjectionPlan& plan) {
-  Vec3 up;
-  up[axis_of(plan.inlet_face)] = is_upper(plan.inlet_face) ? 1.0 : -1.0;
-  return up;
-}
-
 }  // namespace
 
 TimeLoop::TimeLoop(const Scene& scene, const RunOptions& options, const LoopParts& parts)
@@ -53,14 +43,13 @@ TimeLoop::TimeLoop(const Scene& scene, const RunOptions& options, const LoopPart
       sequence_(parts.injections, options.seed),
       random_(options.seed),
       integrator_(integrator_options(scene, parts), parts.motion, parts.surfaces),
-      spheres_(scene.geometry.spheres),
+      deposit_(scene, parts.flow, parts.surfaces),
+      rest_(parts.inlet_speed, radius_),
       last_checkpoint_(std::chrono::steady_clock::now()) {
   Realisation& r = state_.realisation;
   r.seed = options.seed;
   r.tier = parts.tier;
   r.tier_reason = options.tier_reason + "; " + parts.validity;
-  first_permeability_ = parts.flow.permeability();
-  observe({}, false);
   begin_with_bodies();
   const PairContact& grain = parts.contacts.grain;
   if (parts.brownian && !parts.contacts.rules.grains_attach &&
@@ -102,7 +91,7 @@ std::optional<Realisation> TimeLoop::run() {
     if (options_.progress) {
       options_.progress({state_.time, scene_.duration,
                          static_cast<long>(state_.realisation.retained.size()),
-                         critical_.value});
+                         deposit_.critical().value});
     }
   }
   finish();
@@ -136,11 +125,8 @@ void TimeLoop::save() {
   checkpoint.identity = run_identity(scene_, options_.seed, parts_.tier);
   checkpoint.realisation = state_.realisation;
   pack(state_, checkpoint.reals, checkpoint.integers);
-  checkpoint.reals["flow"] = parts_.flow.state();
+  deposit_.save(checkpoint);
   checkpoint.reals["motion"] = parts_.motion.state();
-  checkpoint.reals["first_permeability"] = {first_permeability_};
-  checkpoint.integers["flow_counts"] = {parts_.flow.solves(), parts_.flow.iterations(),
-                                        parts_.flow.blocked() ? 1 : 0};
   write_checkpoint(options_.checkpoint, checkpoint);
   last_checkpoint_ = std::chrono::steady_clock::now();
 }
@@ -153,22 +139,11 @@ void TimeLoop::resume() {
       options_.checkpoint, run_identity(scene_, options_.seed, parts_.tier));
   state_.realisation = checkpoint.realisation;
   unpack(checkpoint.reals, checkpoint.integers, state_);
-  // The deposit grows again as it did, so that everything built from it is the same to
-  // the bit; only the solves are left out.
-  const std::vector<DepositBatch> deposit = std::move(state_.deposit);
-  state_.deposit.clear();
-  for (const DepositBatch& batch : deposit) {
-    observe(batch, false);
+  deposit_.restore(checkpoint, state_);
+  for (const DepositBatch& batch : state_.deposit) {
+    parts_.motion.deposit_grew(batch.spheres);
   }
-  first_permeability_ = checkpoint.reals.at("first_permeability").at(0);
-  const auto& counts = checkpoint.integers.at("flow_counts");
-  parts_.flow.restore(checkpoint.reals.at("flow"), counts.at(2) != 0,
-                      static_cast<long>(counts.at(0)), static_cast<long>(counts.at(1)));
   parts_.motion.restore(checkpoint.reals.at("motion"));
-}
-
-double TimeLoop::next_output_time() const {
-  return scene_.duration * static_cast<double>(state_.next_output) / kOutputs;
 }
 
 double TimeLoop::next_injection_time() {
@@ -182,7 +157,7 @@ double TimeLoop::next_injection_time() {
 
 void TimeLoop::step() {
   RunState& s = state_;
-  const double output = next_output_time();
+  const double output = next_output_time(s, scene_.duration);
   const double injection = next_injection_time();
   const double until = std::min({scene_.duration, output, injection});
   const double longest = std::max(0.0, until - s.time);
@@ -225,7 +200,8 @@ void TimeLoop::step() {
   }
   if (arrived && injection <= until) {
     s.volume = sequence_.at(s.next_injection).volume;
-    inject_due();
+    inject_next(s, sequence_, first_injected_,
+                [this](int index) { return inject(index); });
     after_step();
   }
   if (arrived && output <= until) {
@@ -243,25 +219,8 @@ void TimeLoop::after_step() {
   while (!over_ && handle_broken_bonds()) {
   }
   handle_rest();
-  if (!state_.delayed.empty() && !over_) {
-    std::vector<int> waiting;
-    std::swap(waiting, state_.delayed);
-    for (int index : waiting) {
-      if (!inject(index)) {
-        state_.delayed.push_back(index);
-      }
-    }
-  }
-}
-
-void TimeLoop::inject_due() {
-  const int index = state_.next_injection++;
-  const InjectedColloid& colloid = sequence_.at(index);
-  state_.realisation.injections.push_back(
-      {first_injected_ + index, colloid.volume, kNotYet, colloid.position});
-  if (!inject(index)) {
-    state_.delayed.push_back(index);
-    ++state_.times_delayed;
+  if (!over_) {
+    inject_waiting(state_, [this](int index) { return inject(index); });
   }
 }
 
@@ -450,11 +409,8 @@ void TimeLoop::handle_exits() {
   }
 }
 
-// Tied to the deposit or wedged, and slow for as long as it would take to go 1 % of a
-// radius at the limiting speed.
+// Tied to the deposit or wedged, and slow.
 void TimeLoop::handle_rest() {
-  const double limit = kRestSpeed * parts_.inlet_speed;
-  const double wait = kRestTravel * radius_ / limit;
   for (std::size_t b = 0; b < state_.bodies.size() && !over_; ++b) {
     RigidBody& body = state_.bodies[b];
     const auto touching =
@@ -468,15 +424,8 @@ void TimeLoop::handle_rest() {
     for (std::size_t m = 0; m < body.size(); ++m) {
       fastest = std::max(fastest, norm(body.velocity_of(m)));
     }
-    if ((!body.bonded() && touching < 2) || fastest > limit || parts_.flow.blocked()) {
-      body.slow_since = kNotYet;
-      continue;
-    }
-    if (std::isnan(body.slow_since) ||
-        norm(body.centre - body.slow_at) > kRestTravel * radius_) {
-      body.slow_since = state_.time;
-      body.slow_at = body.centre;
-    } else if (state_.time - body.slow_since >= wait) {
+    const bool held = (body.bonded() || touching >= 2) && !parts_.flow.blocked();
+    if (rest_.at_rest(body, held, fastest, state_.time)) {
       arrest(b, 0);
       --b;
     }
@@ -490,67 +439,15 @@ void TimeLoop::arrest(std::size_t index, std::size_t member) {
   const RetentionContext context{parts_.surfaces,
                                  parts_.contacts.rules,
                                  radius_,
-                                 upstream_of(parts_.injections),
+                                 parts_.injections.upstream(),
                                  parts_.contacts.grain.pull_off,
                                  parts_.contacts.wall.pull_off,
                                  parts_.contacts.colloid.pull_off};
-  Realisation& r = state_.realisation;
-  DepositBatch batch;
-  for (RetainedColloid colloid : describe_retention(context, body, member, held)) {
-    colloid.order = static_cast<long>(r.retained.size()) + 1;
-    colloid.time = state_.time;
-    if (std::isnan(colloid.contact_time)) {
-      colloid.contact_time = state_.time;
-    }
-    if (colloid.layer == Layer::first && std::isnan(r.t1)) {
-      r.t1 = state_.time;
-      r.alpha_deg = colloid.alpha_deg;
-    }
-    batch.ids.push_back(static_cast<int>(colloid.colloid));
-    batch.spheres.push_back({colloid.position, radius_});
-    r.retained.push_back(std::move(colloid));
-  }
-  observe(std::move(batch), true);
+  parts_.motion.deposit_grew(
+      deposit_.add(describe_retention(context, body, member, held), state_.time, state_));
+  over_ = over_ ||
+          (scene_.stop_when == StopWhen::clogged && !std::isnan(state_.realisation.tc));
   integrator_.refresh(state_.bodies);
-}
-
-// The deposit has grown by `batch`: what can pass, and how the liquid flows.
-void TimeLoop::observe(DepositBatch batch, bool solve) {
-  if (!batch.ids.empty()) {
-    parts_.motion.deposit_grew(batch.spheres);
-  }
-  for (std::size_t i = 0; i < batch.ids.size(); ++i) {
-    parts_.surfaces.add_colloid(batch.ids[i], batch.spheres[i]);
-    spheres_.push_back(batch.spheres[i]);
-  }
-  CriticalDiameterOptions search;
-  search.flow_axis = parts_.flow.solver().flow_axis();
-  const CriticalDiameter before = critical_;
-  search.before = batch.ids.empty() ? nullptr : &before;
-  critical_ = critical_diameter(parts_.surfaces.box(), spheres_, search);
-  Realisation& r = state_.realisation;
-  if (solve) {
-    if (critical_.value < 2.0 * radius_ && std::isnan(r.tc)) {
-      r.tc = state_.time;
-      if (scene_.stop_when == StopWhen::clogged) {
-        over_ = true;
-      }
-    }
-    if (critical_.blocked && std::isnan(r.blocked_since)) {
-      r.blocked_since = state_.time;
-    }
-    if (critical_.blocked && scene_.drive.inlet_velocity) {
-      parts_.flow.add_unsolved(batch.spheres);
-      parts_.flow.block();
-    } else {
-      parts_.flow.add(batch.spheres);
-    }
-  } else if (!batch.ids.empty()) {
-    parts_.flow.add_unsolved(batch.spheres);
-  }
-  if (!batch.ids.empty()) {
-    state_.deposit.push_back(std::move(batch));
-  }
 }
 
 // Wrenches for a step of at most `longest` in which heat moves nothing by more than a
@@ -598,39 +495,26 @@ Forcing TimeLoop::thermal_forcing(double longest) const {
   return forcing;
 }
 
-SeriesRow TimeLoop::series_row() const {
-  return make_series_row(state_, critical_.value, parts_.flow.permeability(),
-                         first_permeability_, first_injected_);
-}
-
 void TimeLoop::record() {
-  state_.realisation.series.push_back(series_row());
-  state_.realisation.frames.push_back(make_frame(state_, radius_));
+  record_output(state_, deposit_, parts_.flow.permeability(), first_injected_, radius_);
 }
 
 void TimeLoop::finish() {
-  Realisation& r = state_.realisation;
-  r.duration = state_.time;
-  if (scene_.stop_when == StopWhen::clogged && !std::isnan(r.tc)) {
-    r.ending = Ending::clogged;
-  }
-  if (r.series.empty() || r.series.back().time < state_.time) {
-    record();
-  }
-  r.counts = final_counts(series_row());
+  record_end(state_, scene_, deposit_, parts_.flow.permeability(), first_injected_);
   const IntegratorCounts& c = integrator_.counts();
-  r.deterministic = {{"steps", static_cast<double>(c.steps)},
-                     {"rejected_steps", static_cast<double>(c.rejected)},
-                     {"located_contacts", static_cast<double>(c.located)},
-                     {"velocity_evaluations", static_cast<double>(c.evaluations)},
-                     {"overlaps", static_cast<double>(c.overlaps)},
-                     {"deepest_overlap_m", c.deepest_overlap},
-                     {"flow_solves", static_cast<double>(parts_.flow.solves())},
-                     {"flow_iterations", static_cast<double>(parts_.flow.iterations())},
-                     {"injections_delayed", static_cast<double>(state_.times_delayed)},
-                     {"bonds_broken", static_cast<double>(state_.bonds_broken)},
-                     {"grain_gap_m", parts_.contacts.rules.grain_gap},
-                     {"colloid_gap_m", parts_.contacts.rules.colloid_gap}};
+  state_.realisation.deterministic = {
+      {"steps", static_cast<double>(c.steps)},
+      {"rejected_steps", static_cast<double>(c.rejected)},
+      {"located_contacts", static_cast<double>(c.located)},
+      {"velocity_evaluations", static_cast<double>(c.evaluations)},
+      {"overlaps", static_cast<double>(c.overlaps)},
+      {"deepest_overlap_m", c.deepest_overlap},
+      {"flow_solves", static_cast<double>(parts_.flow.solves())},
+      {"flow_iterations", static_cast<double>(parts_.flow.iterations())},
+      {"injections_delayed", static_cast<double>(state_.times_delayed)},
+      {"bonds_broken", static_cast<double>(state_.bonds_broken)},
+      {"grain_gap_m", parts_.contacts.rules.grain_gap},
+      {"colloid_gap_m", parts_.contacts.rules.colloid_gap}};
 }
 
 }  // namespace colloid

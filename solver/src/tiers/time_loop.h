@@ -10,13 +10,14 @@
 
 #include "core/random.h"
 #include "io/checkpoint.h"
-#include "observe/critical_diameter.h"
 #include "particles/injection_sequence.h"
 #include "particles/integrator.h"
 #include "particles/motion.h"
 #include "scene/scene.h"
 #include "tiers/deposit_flow.h"
+#include "tiers/growing_deposit.h"
 #include "tiers/run_options.h"
+#include "tiers/run_record.h"
 #include "tiers/run_state.h"
 #include "tiers/surface_model.h"
 
@@ -49,9 +50,7 @@ class TimeLoop {
   void save();
   bool stopped();
   double next_injection_time();
-  double next_output_time() const;
   void step();
-  void inject_due();
   bool inject(int index);
   void after_step();
   bool handle_touch();
@@ -62,11 +61,9 @@ class TimeLoop {
   void bond(RigidBody& body, const Touch& touch);
   void merge(const Contact& contact);
   void arrest(std::size_t body, std::size_t member);
-  void observe(DepositBatch batch, bool solve);
   double escape_rate(double push) const;
   Forcing thermal_forcing(double longest) const;
   void record();
-  SeriesRow series_row() const;
   void finish();
 
   const Scene& scene_;
@@ -77,9 +74,8 @@ class TimeLoop {
   Random random_;
   Integrator integrator_;
   RunState state_;
-  CriticalDiameter critical_;
-  std::vector<Sphere> spheres_;  ///< grains and deposit
-  double first_permeability_ = 0.0;
+  GrowingDeposit deposit_;
+  RestRule rest_;
   int first_injected_ = 0;  ///< id of the first colloid that is injected
   std::vector<std::pair<double, double>> escape_rates_;  ///< push [N], rate [1/s]
   std::chrono::steady_clock::time_point last_checkpoint_;

@@ -14,7 +14,6 @@
 #include "particles/hindrance.h"
 #include "particles/integrator.h"
 #include "tiers/flow_problem.h"
-#include "tiers/flow_scales.h"
 #include "tiers/retention.h"
 #include "tiers/run_record.h"
 #include "tiers/transient/ranks.h"
@@ -23,9 +22,6 @@ namespace colloid {
 
 namespace {
 
-constexpr long kOutputs = 500;        // intervals of the series and trajectories
-constexpr double kRestSpeed = 1e-3;   // of the inlet's speed
-constexpr double kRestTravel = 0.01;  // of the radius
 // Where lubrication takes over, in cells.  The grid's own resistance to a sphere that
 // approaches a wall is that of a gap of about an eighth of a cell, however narrow it is
 // (measured, MODEL T9): with this cut the sum is right within 7 % below 0.02 cells and
@@ -63,15 +59,6 @@ double smallest_cell(const Scene& scene) {
                  scene.geometry.box.size[axis] / cells[static_cast<std::size_t>(axis)]);
   }
   return h / (1 << scene.fidelity.refinement);
-}
-
-Regime regime_of(const Scene& scene, const DepositFlow& flow) {
-  CriticalDiameterOptions search;
-  search.flow_axis = flow.solver().flow_axis();
-  const CriticalDiameter critical =
-      critical_diameter(scene.geometry.box, scene.geometry.spheres, search);
-  return analyse_regime(scene,
-                        flow_scales(flow.solver(), flow.flow_rate(), critical.value));
 }
 
 DemOptions dem_options(const Scene& scene, const SurfaceModel& contacts,
@@ -112,12 +99,6 @@ void refuse(const Scene& scene, const Regime& regime) {
   }
 }
 
-Vec3 upstream_of(const InjectionPlan& plan) {
-  Vec3 up;
-  up[axis_of(plan.inlet_face)] = is_upper(plan.inlet_face) ? 1.0 : -1.0;
-  return up;
-}
-
 }  // namespace
 
 TransientLoop::TransientLoop(const Scene& scene, const RunOptions& options)
@@ -131,17 +112,16 @@ TransientLoop::TransientLoop(const Scene& scene, const RunOptions& options)
       contacts_(make_surface_model(
           scene, 6.0 * kPi * scene.fluid.viscosity * radius_ * inlet_.mean_speed)),
       surfaces_(scene.geometry.box, scene.geometry.spheres, hindrance_range(radius_)),
+      deposit_(scene, deposit_flow_, surfaces_),
+      rest_(inlet_.mean_speed, radius_),
       flow_(scene, flow_options(scene)),
       dem_(dem_options(scene, contacts_, regime_), scene.geometry.spheres),
-      spheres_(scene.geometry.spheres),
       last_checkpoint_(std::chrono::steady_clock::now()) {
   refuse(scene, regime_);
   Realisation& r = state_.realisation;
   r.seed = options.seed;
   r.tier = "transient";
   r.tier_reason = options.tier_reason + "; " + regime_.colloids->models.inertia.reason;
-  first_permeability_ = deposit_flow_.permeability();
-  observe({}, false);
 }
 
 std::optional<Realisation> TransientLoop::run() {
@@ -161,7 +141,7 @@ std::optional<Realisation> TransientLoop::run() {
     if (options_.progress) {
       options_.progress({state_.time, scene_.duration,
                          static_cast<long>(state_.realisation.retained.size()),
-                         critical_.value});
+                         deposit_.critical().value});
     }
   }
   finish();
@@ -193,7 +173,7 @@ void TransientLoop::begin() {
   for (FlowBody& body : bodies) {
     body.free = false;
   }
-  const double width = critical_.value;
+  const double width = deposit_.critical().value;
   const double viscous_time =
       width * width * scene_.fluid.density / scene_.fluid.viscosity;
   for (int n = 0; n < kMostSettling; ++n) {
@@ -244,11 +224,8 @@ void TransientLoop::save() {
     checkpoint.integers["force_counts"].push_back(
         static_cast<std::int64_t>(list->size()));
   }
-  checkpoint.reals["deposit_flow"] = deposit_flow_.state();
-  checkpoint.reals["first_permeability"] = {first_permeability_};
-  checkpoint.integers["deposit_flow_counts"] = {
-      deposit_flow_.solves(), deposit_flow_.iterations(), deposit_flow_.blocked() ? 1 : 0,
-      first_injected_};
+  deposit_.save(checkpoint);
+  checkpoint.integers["first_injected"] = {first_injected_};
   if (this_rank() == 0) {
     write_checkpoint(options_.checkpoint, checkpoint);
   }
@@ -260,16 +237,8 @@ void TransientLoop::resume() {
       options_.checkpoint, run_identity(scene_, options_.seed, "transient"));
   state_.realisation = checkpoint.realisation;
   unpack(checkpoint.reals, checkpoint.integers, state_);
-  const std::vector<DepositBatch> deposit = std::move(state_.deposit);
-  state_.deposit.clear();
-  for (const DepositBatch& batch : deposit) {
-    observe(batch, false);
-  }
-  first_permeability_ = checkpoint.reals.at("first_permeability").at(0);
-  const auto& counts = checkpoint.integers.at("deposit_flow_counts");
-  deposit_flow_.restore(checkpoint.reals.at("deposit_flow"), counts.at(2) != 0,
-                        static_cast<long>(counts.at(0)), static_cast<long>(counts.at(1)));
-  first_injected_ = static_cast<int>(counts.at(3));
+  deposit_.restore(checkpoint, state_);
+  first_injected_ = static_cast<int>(checkpoint.integers.at("first_injected").at(0));
   dem_steps_ = static_cast<long>(checkpoint.integers.at("dem_steps").at(0));
   const std::vector<double>& forces = checkpoint.reals.at("forces");
   std::size_t n = 0;
@@ -290,10 +259,6 @@ void TransientLoop::resume() {
 Vec3 TransientLoop::weight() const {
   return scene_.gravity *
          (sphere_volume(radius_) * (scene_.colloids->density - scene_.fluid.density));
-}
-
-double TransientLoop::next_output_time() const {
-  return scene_.duration * static_cast<double>(state_.next_output) / kOutputs;
 }
 
 // In time by the flow rate of the flow itself.
@@ -320,7 +285,7 @@ double TransientLoop::step_length(double until) const {
 
 void TransientLoop::step() {
   RunState& s = state_;
-  const double output = next_output_time();
+  const double output = next_output_time(s, scene_.duration);
   const double injection = next_injection_time();
   const double until = std::min({scene_.duration, output, injection});
   bool arrived = true;
@@ -335,22 +300,15 @@ void TransientLoop::step() {
     s.time = arrived ? until : s.time + dt;
     handle_exits();
     handle_rest();
-    if (!s.delayed.empty()) {
-      std::vector<int> waiting;
-      std::swap(waiting, s.delayed);
-      for (const int index : waiting) {
-        if (!inject(index)) {
-          s.delayed.push_back(index);
-        }
-      }
-    }
+    inject_waiting(s, [this](int index) { return inject(index); });
   }
   if (over_) {
     return;
   }
   if (arrived && injection <= until) {
     s.volume = sequence_.at(s.next_injection).volume;
-    inject_due();
+    inject_next(s, sequence_, first_injected_,
+                [this](int index) { return inject(index); });
   }
   if (arrived && output <= until) {
     record();
@@ -519,32 +477,21 @@ void TransientLoop::arrest(int id, double time) {
   const RetentionContext context{surfaces_,
                                  contacts_.rules,
                                  radius_,
-                                 upstream_of(sequence_.plan()),
+                                 sequence_.plan().upstream(),
                                  contacts_.grain.pull_off,
                                  contacts_.wall.pull_off,
                                  contacts_.colloid.pull_off};
-  Realisation& r = state_.realisation;
-  DepositBatch batch;
-  for (RetainedColloid colloid : describe_retention(context, body, 0, held)) {
-    colloid.order = static_cast<long>(r.retained.size()) + 1;
-    colloid.time = time;
-    if (std::isnan(colloid.contact_time)) {
-      colloid.contact_time = time;
-    }
-    if (colloid.layer == Layer::first && std::isnan(r.t1)) {
-      r.t1 = time;
-      r.alpha_deg = colloid.alpha_deg;
-    }
+  std::vector<RetainedColloid> retained = describe_retention(context, body, 0, held);
+  for (const RetainedColloid& colloid : retained) {
     const int member = static_cast<int>(colloid.colloid);
     dem_.hold(member);
     means_.erase(member);
     state_.bodies.erase(state_.bodies.begin() +
                         static_cast<std::ptrdiff_t>(place_of(member)));
-    batch.ids.push_back(member);
-    batch.spheres.push_back({colloid.position, radius_});
-    r.retained.push_back(std::move(colloid));
   }
-  observe(std::move(batch), true);
+  deposit_.add(std::move(retained), time, state_);
+  over_ = over_ ||
+          (scene_.stop_when == StopWhen::clogged && !std::isnan(state_.realisation.tc));
 }
 
 void TransientLoop::handle_exits() {
@@ -562,11 +509,8 @@ void TransientLoop::handle_exits() {
   }
 }
 
-// Tied to the deposit or wedged, and slow for as long as it would take to go 1 % of a
-// radius at the limiting speed.
+// Tied to the deposit or wedged, and slow.
 void TransientLoop::handle_rest() {
-  const double limit = kRestSpeed * inlet_.mean_speed;
-  const double wait = kRestTravel * radius_ / limit;
   std::vector<NearSurface> near;
   std::vector<int> resting;
   for (RigidBody& body : state_.bodies) {
@@ -575,20 +519,14 @@ void TransientLoop::handle_rest() {
         std::count_if(near.begin(), near.end(), [&](const NearSurface& surface) {
           const double gap = contact_gap(contacts_.rules, surfaces_.box(), surface.id);
           return is_surface(surfaces_.box(), surface.id) &&
-                 surface.distance - radius_ <= gap + kRestTravel * radius_;
+                 surface.distance - radius_ <= gap + rest_.travel();
         });
-    const bool held =
+    const bool bonded =
         std::any_of(body.bonds.begin(), body.bonds.end(), [&](const Bond& bond) {
           return place_of(bond.fixed.index) == state_.bodies.size();
         });
-    if ((!held && touching < 2) || norm(body.velocity) > limit ||
-        deposit_flow_.blocked()) {
-      body.slow_since = kNotYet;
-    } else if (std::isnan(body.slow_since) ||
-               norm(body.centre - body.slow_at) > kRestTravel * radius_) {
-      body.slow_since = state_.time;
-      body.slow_at = body.centre;
-    } else if (state_.time - body.slow_since >= wait) {
+    const bool held = (bonded || touching >= 2) && !deposit_flow_.blocked();
+    if (rest_.at_rest(body, held, norm(body.velocity), state_.time)) {
       resting.push_back(body.members.front().id);
     }
   }
@@ -599,17 +537,6 @@ void TransientLoop::handle_rest() {
   }
 }
 
-void TransientLoop::inject_due() {
-  const int index = state_.next_injection++;
-  const InjectedColloid& colloid = sequence_.at(index);
-  state_.realisation.injections.push_back(
-      {first_injected_ + index, colloid.volume, kNotYet, colloid.position});
-  if (!inject(index)) {
-    state_.delayed.push_back(index);
-    ++state_.times_delayed;
-  }
-}
-
 // False if something is in the way.
 bool TransientLoop::inject(int index) {
   const InjectedColloid& colloid = sequence_.at(index);
@@ -617,7 +544,7 @@ bool TransientLoop::inject(int index) {
                 2.0 * radius_ + contacts_.rules.colloid_gap)) {
     return false;
   }
-  Vec3 velocity = upstream_of(sequence_.plan()) * -inlet_.mean_speed;
+  Vec3 velocity = sequence_.plan().upstream() * -inlet_.mean_speed;
   if (scene_.colloids->injection.release_velocity == ReleaseVelocity::local) {
     velocity = flow_.velocity_at(colloid.position);
   }
@@ -640,62 +567,14 @@ void TransientLoop::insert(const MobileColloid& colloid, const Vec3& position,
   dem_.add(state);
 }
 
-// The deposit has grown by `batch`: what can pass, and how permeable it is.
-void TransientLoop::observe(DepositBatch batch, bool solve) {
-  for (std::size_t i = 0; i < batch.ids.size(); ++i) {
-    surfaces_.add_colloid(batch.ids[i], batch.spheres[i]);
-    spheres_.push_back(batch.spheres[i]);
-  }
-  CriticalDiameterOptions search;
-  search.flow_axis = deposit_flow_.solver().flow_axis();
-  const CriticalDiameter before = critical_;
-  search.before = batch.ids.empty() ? nullptr : &before;
-  critical_ = critical_diameter(surfaces_.box(), spheres_, search);
-  Realisation& r = state_.realisation;
-  if (solve) {
-    if (critical_.value < 2.0 * radius_ && std::isnan(r.tc)) {
-      r.tc = r.retained.back().time;
-      over_ = over_ || scene_.stop_when == StopWhen::clogged;
-    }
-    if (critical_.blocked && std::isnan(r.blocked_since)) {
-      r.blocked_since = r.retained.back().time;
-    }
-    if (critical_.blocked && scene_.drive.inlet_velocity) {
-      deposit_flow_.add_unsolved(batch.spheres);
-      deposit_flow_.block();
-    } else {
-      deposit_flow_.add(batch.spheres);
-    }
-  } else if (!batch.ids.empty()) {
-    deposit_flow_.add_unsolved(batch.spheres);
-  }
-  if (!batch.ids.empty()) {
-    state_.deposit.push_back(std::move(batch));
-  }
-}
-
-SeriesRow TransientLoop::series_row() const {
-  return make_series_row(state_, critical_.value, deposit_flow_.permeability(),
-                         first_permeability_, first_injected_);
-}
-
 void TransientLoop::record() {
-  state_.realisation.series.push_back(series_row());
-  state_.realisation.frames.push_back(make_frame(state_, radius_));
+  record_output(state_, deposit_, deposit_flow_.permeability(), first_injected_, radius_);
 }
 
 void TransientLoop::finish() {
-  Realisation& r = state_.realisation;
-  r.duration = state_.time;
-  if (scene_.stop_when == StopWhen::clogged && !std::isnan(r.tc)) {
-    r.ending = Ending::clogged;
-  }
-  if (r.series.empty() || r.series.back().time < state_.time) {
-    record();
-  }
-  r.counts = final_counts(series_row());
+  record_end(state_, scene_, deposit_, deposit_flow_.permeability(), first_injected_);
   const TransientFlowCounts& flow = flow_.counts();
-  r.deterministic = {
+  state_.realisation.deterministic = {
       {"steps", static_cast<double>(flow.steps)},
       {"dem_steps", static_cast<double>(dem_steps_)},
       {"grids", static_cast<double>(flow.grids)},

@@ -11,13 +11,14 @@
 #include <optional>
 
 #include "io/checkpoint.h"
-#include "observe/critical_diameter.h"
 #include "particles/injection_sequence.h"
 #include "scene/scene.h"
 #include "tiers/deposit_flow.h"
+#include "tiers/growing_deposit.h"
 #include "tiers/injection.h"
 #include "tiers/regime.h"
 #include "tiers/run_options.h"
+#include "tiers/run_record.h"
 #include "tiers/run_state.h"
 #include "tiers/surface_model.h"
 #include "tiers/transient/shared_dem.h"
@@ -51,19 +52,15 @@ class TransientLoop {
   void handle_events(const std::vector<DemEvent>& events);
   void handle_exits();
   void handle_rest();
-  void inject_due();
   bool inject(int index);
   void insert(const MobileColloid& colloid, const Vec3& position, const Vec3& velocity);
   void arrest(int id, double time);
-  void observe(DepositBatch batch, bool solve);
   void record();
-  SeriesRow series_row() const;
   void finish();
 
   std::size_t place_of(int id) const;
   RigidBody aggregate_of(int id) const;
   Vec3 weight() const;
-  double next_output_time() const;
   double next_injection_time();
 
   const Scene& scene_;
@@ -75,14 +72,13 @@ class TransientLoop {
   Regime regime_;
   SurfaceModel contacts_;
   FixedSurfaces surfaces_;
+  GrowingDeposit deposit_;
+  RestRule rest_;
   TransientFlow flow_;
   SharedDem dem_;
   RunState state_;             ///< bodies: one a colloid, also where DEM joins several
   std::map<int, Mean> means_;  ///< by id: what is not the flow's, over the last interval
   std::map<int, Mean> loads_;  ///< by id: the flow's, in the last step
-  CriticalDiameter critical_;
-  std::vector<Sphere> spheres_;  ///< grains and deposit
-  double first_permeability_ = 0.0;
   int first_injected_ = 0;
   long dem_steps_ = 0;
   std::chrono::steady_clock::time_point last_checkpoint_;
