@@ -23,8 +23,10 @@ if(PORECLOG_WITH_TRANSIENT)
   endif()
 endif()
 
-# The arguments of mpirun for tests, which may run as root and on fewer cores than ranks.
-set(PORECLOG_MPIRUN mpirun -q --allow-run-as-root --oversubscribe --bind-to none)
+# The arguments of mpirun for tests, which may run as root, on fewer cores than ranks, and
+# beside other programs: a rank that waits lets them have its core.
+set(PORECLOG_MPIRUN mpirun -q --allow-run-as-root --oversubscribe --bind-to none
+    --mca mpi_yield_when_idle 1)
 
 # poreclog_transient_test(NAME LABEL label [RANKS n] SOURCES a.cpp ... [DEPENDS target ...]): as
 # poreclog_test, of what lies in solver/src/tiers/transient.  Its sources may include headers of
