@@ -101,6 +101,10 @@ std::string outcome_text(const nlohmann::ordered_json& outcome) {
   }
   if (!outcome["stopped"].is_null()) {
     text += "; " + outcome["stopped"].get<std::string>();
+    if (outcome["exit_code"] == exit_interrupted) {
+      text += fmt::format("; `poreclog resume {}` goes on",
+                          outcome["campaign"].get<std::string>());
+    }
   }
   return text + "\n";
 }
