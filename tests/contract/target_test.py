@@ -177,7 +177,9 @@ class Target(orchestrator.Bench):
             self.assertEqual(done.stdout.count("target: "), 1, done.stdout)
 
     def test_failed_realisations_are_counted_aloud(self):
-        self.poreclog("run", self.with_target(1e6), code=2, FAULT="refuse", ONE_IN=3)
+        done = self.poreclog("run", self.with_target(1e6), "--json", code=2, FAULT="refuse",
+                             ONE_IN=3)
+        self.assertEqual(json.loads(done.stdout)["targets"][0]["n"], 20)  # it was looked at
         ended = self.ask("SELECT count(*) FROM v_realisation WHERE status IN "
                          "('ingested', 'failed')")
         self.assertEqual(ended, [(20,)])  # the pilot, the failed ones in it
