@@ -1,14 +1,17 @@
 // poreclog: campaigns in, ensembles of results out.  The subcommands are in commands/.
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "commands/cancel.h"
 #include "commands/check.h"
 #include "commands/command.h"
@@ -50,6 +53,43 @@ constexpr std::array kCommands{
                  colloid::make_repair},
 };
 
+/// What CLI11 would call a missing subcommand is most often a misspelt one.
+void require_command(int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CommandEntry& entry : kCommands) {
+    names.emplace_back(entry.name);
+  }
+  const std::string known = fmt::format("known: {}", fmt::join(names, ", "));
+  colloid::require(argc > 1, "command line", "a command is missing; " + known);
+  const std::string word = argv[1];
+  colloid::require(
+      word.rfind('-', 0) == 0 ||
+          std::find(names.begin(), names.end(), word) != names.end(),
+      "command line",
+      fmt::format("{} is not a command; the nearest is \"{}\"; {}",
+                  colloid::in_quotes(word), colloid::nearest(word, names), known));
+}
+
+/// The first argument that `parser` does not know, and the option that may be meant.
+std::string unknown_argument(const CLI::App& parser) {
+  std::vector<std::string> options;
+  for (const CLI::Option* option : parser.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      options.push_back("--" + name);
+    }
+  }
+  std::vector<std::string> words = parser.remaining();
+  const auto is_option = [](const std::string& word) { return word.rfind("--", 0) == 0; };
+  const auto found = std::find_if(words.begin(), words.end(), is_option);
+  if (found == words.end() || options.empty()) {
+    return fmt::format("one argument too many for {}: {}", parser.get_name(),
+                       colloid::in_quotes(words.empty() ? "" : words.front()));
+  }
+  return fmt::format("{} is not an option of {}; the nearest is {}",
+                     colloid::in_quotes(*found), parser.get_name(),
+                     colloid::nearest(*found, options));
+}
+
 int run(int argc, char** argv) {
   CLI::App program("Runs ensembles of colloids that clog a pore throat");
   program.name("poreclog");
@@ -68,8 +108,16 @@ int run(int argc, char** argv) {
     parsers.push_back(program.add_subcommand(entry.name, entry.summary));
     commands.back()->declare_options(*parsers.back());
   }
+  require_command(argc, argv);
   try {
     program.parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    for (const CLI::App* parser : parsers) {
+      if (parser->parsed()) {
+        throw colloid::InputError("command line", unknown_argument(*parser));
+      }
+    }
+    throw colloid::InputError("command line", error.what());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
       return program.exit(error);  // --help or --version: prints it

@@ -124,6 +124,7 @@ class Orchestrator(orchestrator.Bench):
         time.sleep(0.5)
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(timeout=10), 4)
+        self.assertIn("interrupted; `poreclog resume c` goes on", process.stdout.read())
         self.assertEqual(self.attempts(), [])
         checkpoints = list(self.runs.glob("c/p*/*/checkpoint.h5"))
         self.assertEqual(len(checkpoints), 2)
@@ -372,6 +373,21 @@ class Database(orchestrator.Bench):
             self.poreclog("query", "c", name)
         self.assertIn('the nearest is "curves"', self.poreclog("query", "c", "curvs",
                                                               code=1).stderr)
+
+
+class CommandLine(unittest.TestCase):
+    def test_is_refused_in_one_line_with_what_may_be_meant(self):
+        for words, why in [
+                ([], "a command is missing; known: check, run,"),
+                (["statuss", "c"], '"statuss" is not a command; the nearest is "status"; known'),
+                (["run", "c", "--wrkers", "2"],
+                 '"--wrkers" is not an option of run; the nearest is --workers'),
+                (["check", "c", "d"], 'one argument too many for check: "d"')]:
+            done = subprocess.run([orchestrator.PROGRAM, *words], capture_output=True,
+                                  text=True, timeout=60)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), words)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertIn("poreclog: command line: " + why, done.stderr)
 
 
 class Disk(orchestrator.Bench):

@@ -168,8 +168,18 @@ class Target(orchestrator.Bench):
                 self.assertIsNone(half_width, name)
         self.assertTrue(any(low is None for low, _ in expected.values()), "none was censored")
 
+    def test_where_the_target_stands_is_said_once(self):
+        campaign = self.with_target(1e6)
+        for report in ([], ["--no-report"]):
+            done = self.poreclog("run", campaign, "--output", self.folder / "report", *report,
+                                 prefix=("env", "-u", "PORECLOG_NO_REPORT"))
+            self.assertEqual("report: " in done.stdout, not report)
+            self.assertEqual(done.stdout.count("target: "), 1, done.stdout)
+
     def test_failed_realisations_are_counted_aloud(self):
-        self.poreclog("run", self.with_target(1e6), code=2, FAULT="refuse", ONE_IN=3)
+        done = self.poreclog("run", self.with_target(1e6), "--json", code=2, FAULT="refuse",
+                             ONE_IN=3)
+        self.assertEqual(json.loads(done.stdout)["targets"][0]["n"], 20)  # it was looked at
         ended = self.ask("SELECT count(*) FROM v_realisation WHERE status IN "
                          "('ingested', 'failed')")
         self.assertEqual(ended, [(20,)])  # the pilot, the failed ones in it

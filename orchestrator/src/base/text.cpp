@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,6 +28,14 @@ std::size_t edits(std::string_view a, std::string_view b) {
     }
   }
   return row.back();
+}
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return out;
 }
 
 }  // namespace
@@ -60,9 +69,13 @@ std::string alternatives(const std::vector<std::string>& words) {
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   assert(!candidates.empty());
   const std::string_view head = word.substr(0, kLongestEcho);  // its beginning decides
+  const auto distance = [&](const std::string& candidate) {
+    return std::pair(edits(lower_case(head), lower_case(candidate)),
+                     edits(head, candidate));
+  };
   return *std::min_element(candidates.begin(), candidates.end(),
                            [&](const std::string& a, const std::string& b) {
-                             return edits(head, a) < edits(head, b);
+                             return distance(a) < distance(b);
                            });
 }
 

@@ -13,8 +13,8 @@ std::string in_quotes(std::string_view text);
 /// "a, b or c"
 std::string alternatives(const std::vector<std::string>& words);
 
-/// The candidate with the fewest edits (insert, delete, replace) from `word`, the first
-/// of equals.  Precondition: there is a candidate.
+/// The candidate with the fewest edits (insert, delete, replace) from `word`, capitals
+/// counting less than any edit, the first of equals.  Precondition: there is a candidate.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// `word` as one word of a POSIX shell's command line.

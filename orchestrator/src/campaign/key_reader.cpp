@@ -32,7 +32,9 @@ KeyReader::KeyReader(const json& object, std::string pointer)
 }
 
 const json* KeyReader::find(const char* key) {
-  known_.emplace_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+    known_.emplace_back(key);
+  }
   const auto found = object_.find(key);
   return found == object_.end() ? nullptr : &*found;
 }

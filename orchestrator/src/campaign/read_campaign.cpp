@@ -132,8 +132,7 @@ void read_scene(const json& value, Campaign& campaign) {
   const std::filesystem::path folder = std::filesystem::path(campaign.path).parent_path();
   const std::string file =
       (folder / value.get<std::string>()).lexically_normal().string();
-  require(std::filesystem::exists(file), "/scene",
-          fmt::format("there is no file {}", in_quotes(file)));
+  require(is_file(file), "/scene", fmt::format("there is no file {}", in_quotes(file)));
   campaign.scene_path = file;
   campaign.scene = parse_json(read_text_file(file), file);
 }

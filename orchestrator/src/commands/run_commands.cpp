@@ -101,8 +101,17 @@ std::string outcome_text(const nlohmann::ordered_json& outcome) {
   }
   if (!outcome["stopped"].is_null()) {
     text += "; " + outcome["stopped"].get<std::string>();
+    if (outcome["exit_code"] == exit_interrupted) {
+      text += fmt::format("; `poreclog resume {}` goes on",
+                          outcome["campaign"].get<std::string>());
+    }
   }
-  text += "\n";
+  return text + "\n";
+}
+
+/// Where the targets stand; the headlines of a report say it too.
+std::string targets_text(const nlohmann::ordered_json& outcome) {
+  std::string text;
   for (const auto& target : outcome["targets"]) {
     text +=
         fmt::format("design point {}, tier {}: {}\n", target["point"].get<int>(),
@@ -205,6 +214,8 @@ class WorkCommand : public Command {
       const WrittenReport report = write_report(plan, common_, output_);
       outcome["report"] = report.page;
       text += report.headlines + "report: " + report.page + "\n";
+    } else {
+      text += targets_text(outcome);
     }
     std::cout << (common_.json ? outcome.dump(2) + "\n" : text);
     return exit_code;

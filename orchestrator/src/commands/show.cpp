@@ -72,9 +72,9 @@ class Show : public Command {
       }
     }
     require(!tiers.empty(), "point",
-            fmt::format("there is no design point {}{} in {}; there are {}", point_,
-                        tier_.empty() ? "" : " in tier " + tier_, plan.campaign,
-                        plan.points.size()));
+            fmt::format("is {}{}, expected one of the {} design points of {}, from 0",
+                        point_, tier_.empty() ? "" : " in tier " + tier_,
+                        plan.points.size(), plan.campaign));
     require(tiers.size() == 1, "--tier", "is needed: " + alternatives(tiers));
     require(index_ >= 0 && index_ < plan.realisations, "index",
             fmt::format("is {}, expected 0 to {}", index_, plan.realisations - 1));

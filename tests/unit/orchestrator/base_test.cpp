@@ -79,6 +79,8 @@ TEST(Text, QuotedWordsComeBackFromAShell) {
 
 TEST(Text, NearestIsByEdits) {
   EXPECT_EQ(nearest("realizations", {"ranks", "realisations", "vary"}), "realisations");
+  EXPECT_EQ(nearest("tC", {"t1", "tc", "median_s"}), "tc");
+  EXPECT_EQ(nearest("C", {"c", "C"}), "C");
 }
 
 TEST(Program, ThatIsNotThereIsRefused) {

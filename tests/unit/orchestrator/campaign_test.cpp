@@ -62,6 +62,12 @@ TEST(Campaign, IsRefusedWithPlaceExpectationAndNearestKey) {
   for (const auto& [keys, why] : cases) {
     EXPECT_THAT(refusal(campaign_with(keys)), HasSubstr(why)) << keys;
   }
+  EXPECT_THAT(
+      refusal(campaign_with(R"("realizations": 3)")),
+      HasSubstr("known: campaign, description, scene, realisations, master_seed"));
+  EXPECT_THAT(refusal("{\"campaign\": \"c\", \"scene\": \"/\", \"realisations\": 3, "
+                      "\"master_seed\": 1}"),
+              HasSubstr("column 19: /scene: there is no file \"/\""));
   EXPECT_THAT(refusal("{}"), HasSubstr("has no key \"campaign\", which is required"));
   EXPECT_THAT(refusal("[]"), HasSubstr("expected an object"));
   EXPECT_EQ(refusal(campaign_with("")), "");

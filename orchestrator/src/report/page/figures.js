@@ -237,13 +237,14 @@ function injectionMap(point, inlet) {
 /// A least-squares fit worse than a constant is a local minimum far from the data.
 const worthDrawing = fit => fit.amplitude != null && !(fit.r_squared < 0);
 
-function injectionPanel(profile, top) {
+/// `reach`: how far out a colloid's centre can come in (µm); the fit ends there.
+function injectionPanel(profile, top, reach) {
   const d = rows(profile.annulus_centre_m.length, i => ({
     x: profile.annulus_centre_m[i] * kMicro, p: profile.probability[i],
     low: profile.probability_ci_low[i], high: profile.probability_ci_high[i]}));
   const last = d[d.length - 1].x;
   const fit = !worthDrawing(profile) ? [] : rows(101, i => {
-    const x = last * i / 100;
+    const x = Math.min(last, reach) * i / 100;
     return {x, p: profile.amplitude * Math.exp(profile.rate_per_m * x / kMicro)};
   });
   return chart({
@@ -253,6 +254,7 @@ function injectionPanel(profile, top) {
     marks: [
       frame(),
       Plot.ruleX(d, {x: "x", y1: "low", y2: p => Math.min(top, p.high), stroke: "#aab2bd"}),
+      Plot.ruleX([reach], {stroke: kColour.grey, strokeDasharray: "2,3"}),
       Plot.line(fit, {x: "x", y: "p", stroke: kColour.vermillion, strokeWidth: 2, clip: true}),
       Plot.dot(d, {x: "x", y: "p", r: 3.5, fill: orderColour(profile.order - 1),
                    stroke: "#fff", strokeWidth: 0.6}),

@@ -422,10 +422,11 @@ function injectionFigures(p, id) {
   if (!fits.length || !inlet) return [];
   const level = percent(s.confidence);
   const top = Math.min(1, 1.1 * (d3.max(fits, f => d3.max(f.probability)) || 0.1) + 0.02);
+  const reach = d3.max(inlet) * kMicro / 2 - (diameterOf(p) ?? 0) / 2;
   const text = f => f.amplitude == null ? `no fit: ${f.note ?? ""}`
     : !worthDrawing(f) ? `no fit better than a constant (R² = ${general(f.r_squared, 2)})`
     : `A = ${general(f.amplitude, 2)}, b = ${general(f.rate_per_m / kMicro, 2)} /µm`
-      + (f.rate_ci ? ` (${general(f.rate_ci[0] / kMicro, 2)} to ${general(f.rate_ci[1] / kMicro, 2)})` : "")
+      + (f.rate_ci ? ` (${general(f.rate_ci[0] / kMicro, 2)} to ${general(f.rate_ci[1] / kMicro, 2)})` : " (interval not determined)")
       + (f.r_squared == null ? "" : `, R² = ${f.r_squared.toFixed(2)}`);
   return [
     figure(`injection-${id}`, "Where the first five retained colloids came in.",
@@ -434,8 +435,8 @@ function injectionFigures(p, id) {
       () => p.injection_dots.length ? [injectionMap(p, inlet)] : "No colloid was retained.",
       {legend: kOrders.map((name, i) => [name, orderColour(i), "dot"])}),
     figure(`profiles-${id}`, "Distance from the axis at which they came in.",
-      `Fraction of ${fits[0].n} realisations whose n-th retained colloid came in through each annulus (bars: ${level} Clopper-Pearson), and A exp(b x) by nonlinear least squares through the annuli that a colloid's centre can reach. Intervals of b: BCa bootstrap over realisations.`,
-      () => fits.map(f => titled(`${kOrders[f.order - 1]}: ${text(f)}`, injectionPanel(f, top))),
+      `Fraction of ${fits[0].n} realisations whose n-th retained colloid came in through each annulus (bars: ${level} Clopper-Pearson), and A exp(b x) by nonlinear least squares through the annuli that a colloid's centre can reach (up to the dotted line). Intervals of b: BCa bootstrap over realisations.`,
+      () => fits.map(f => titled(`${kOrders[f.order - 1]}: ${text(f)}`, injectionPanel(f, top, reach))),
       {columns: 3}),
   ];
 }
@@ -460,7 +461,7 @@ function exampleFigures(p, id) {
   const diameter = diameterOf(p);
   return [
     figure(`examples-${id}`, "Two realisations side by side.",
-      "Critical diameter, permeability, and counts of colloids. Dashed red: clogging.",
+      "Critical diameter (horizontal line: the colloids' diameter), permeability, and counts of colloids. Dashed red: clogging.",
       () => shown.length ? shown.map(e => titled(name(e), h("div", {}, examplePanels(e, diameter, top)))) : gone,
       {columns: 2, legend: [["traversed", kColour.ink, "line"], ["first layer", kColour.blue, "line"],
                             ["multilayer", kColour.orange, "line"]]}),
@@ -507,7 +508,9 @@ function pointFigures(p, id) {
   return [
     curvesFigure(p, id),
     figure(`survival-${id}`, "Fraction of realisations that have not clogged.",
-      `Kaplan-Meier estimate with pointwise ${percent(s.confidence)} intervals (${s.clogging.kaplan_meier.method}); crosses: censored. Red: median with its ${percent(s.confidence)} interval (${s.clogging.median_method}).`,
+      `Kaplan-Meier estimate with pointwise ${percent(s.confidence)} intervals (${s.clogging.kaplan_meier.method}); crosses: censored.`
+      + (s.clogging.median_s == null ? " The median is not reached."
+        : ` Red: median with its ${percent(s.confidence)} interval (${s.clogging.median_method}).`),
       () => s.clogging.kaplan_meier.time_s.length ? [survivalFigure(s)] : "No realisation has begun."),
     figure(`alpha-${id}`, "Does the place of the first attachment decide how soon it clogs?", alphaCaption(s),
       () => p.alpha_dots.length ? [alphaFigure(p)] : "No realisation has an angle of first attachment."),
