@@ -4,11 +4,13 @@
 //
 //   FAKE_FAULT        hang | ignore_term | crash | abort_exit | not_converged | refuse |
 //                     nonsense | no_file | torn | incomplete | foreign_seed |
-//                     foreign_scene | random_result | exit_5
+//                     foreign_scene | foreign_tier | random_result | exit_5
 //   FAKE_ATTEMPTS     the fault befalls the first so many attempts of a realisation only
 //   FAKE_ONE_IN       and only seeds that this number divides
 //   FAKE_SECONDS      how long it takes (default 0)
 //   FAKE_ROWS         rows of the series (default 100)
+//   FAKE_CHANGE       what is one more than the seed says: @ATTRIBUTE, or COLUMN (last
+//   row)
 //
 // fake_solver fill SCENE FOLDER writes many results at once.
 #include <array>
@@ -88,7 +90,13 @@ bool has_fault(const Arguments& arguments) {
   }
 }
 
+bool is_changed(const std::string& name) {
+  static const std::string changed = environment("FAKE_CHANGE");
+  return name == changed;
+}
+
 void put_number(hid_t object, const char* name, double value) {
+  value += is_changed(std::string("@") + name) ? 1.0 : 0.0;
   const hid_t space = H5Screate(H5S_SCALAR);
   const hid_t attribute =
       H5Acreate2(object, name, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT);
@@ -124,8 +132,11 @@ void put_scene(hid_t group, const std::string& text) {
   H5Sclose(space);
 }
 
-void put_column(hid_t group, const char* name, const std::vector<double>& values,
+void put_column(hid_t group, const char* name, std::vector<double> values,
                 hsize_t width = 1) {
+  if (is_changed(name)) {
+    values.at(values.size() - 1) += 1.0;
+  }
   const std::array<hsize_t, 2> shape{values.size() / width, width};
   const hid_t space = H5Screate_simple(width == 1 ? 1 : 2, shape.data(), nullptr);
   const hid_t set = H5Dcreate2(group, name, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT,
@@ -254,7 +265,9 @@ void write_result(const Arguments& arguments, const json& scene) {
   }
   put_scene(provenance, own.dump());
   H5Gclose(provenance);
-  put_text(file, "tier", scene.at("fidelity").at("tier").get<std::string>());
+  put_text(file, "tier",
+           fault == "foreign_tier" ? "elsewhere"
+                                   : scene.at("fidelity").at("tier").get<std::string>());
   put_text(file, "ending", std::isnan(story.tc) ? "duration" : "clogged");
   put_text(file, "seed", std::to_string(seed));
   put_number(file, "duration_s", 5.0);

@@ -30,7 +30,8 @@ class Solver(orchestrator.Bench):
     def test_that_fails_once_is_tried_again_and_changes_nothing(self):
         for fault, cause in [("torn", "torn_result"), ("incomplete", "torn_result"),
                              ("foreign_seed", "foreign_result"),
-                             ("foreign_scene", "foreign_result"), ("crash", "crashed"),
+                             ("foreign_scene", "foreign_result"),
+                             ("foreign_tier", "foreign_result"), ("crash", "crashed"),
                              ("abort_exit", "internal_error"), ("no_file", "no_result"),
                              ("nonsense", "internal_error"), ("exit_5", "killed")]:
             with self.subTest(fault):
@@ -254,6 +255,28 @@ class Result(orchestrator.Bench):
         self.assertEqual(self.ask("SELECT idx, attempt, kind FROM v_incident"),
                          [(1, 2, "contradiction")])
         self.poreclog("resume", campaign, code=2)
+
+    def test_that_contradicts_in_one_number_is_seen_whichever_it_is(self):
+        numbers = ["@duration_s", "@t1_s", "@alpha_deg", "@last_traversal_s", "@injected",
+                   "@traversed", "critical_diameter_m", "permeability_ratio",
+                   "colloid", "contact_time_s", "position_m", "injection_position_m",
+                   "injection_time_s", "alpha_deg", "bond_load_N"]
+        campaign = self.write(realisations=1)
+        self.poreclog("run", campaign)
+        before = self.content()
+        first = self.runs / "c/p0000-one_way/000000/attempt-001"
+        (seed,), = self.ask("SELECT seed FROM v_realisation")
+        for number, changed in enumerate(numbers, start=2):
+            self.copy_attempt(first, number)
+            copy = first.parent / f"attempt-{number:03}" / "result.h5"
+            copy.unlink()
+            subprocess.run([orchestrator.FAKE_SOLVER, "run", first.parent.parent / "scene.json",
+                            "-o", copy, "--seed", str(seed)], check=True,
+                           env=self.environment({"CHANGE": changed}))
+        self.poreclog("repair")
+        self.assertEqual(self.content(), before)
+        self.assertEqual(self.ask("SELECT attempt, kind FROM v_incident ORDER BY attempt"),
+                         [(n, "contradiction") for n in range(2, 2 + len(numbers))])
 
     def test_that_is_cut_anywhere_is_torn(self):
         campaign = self.write(realisations=1)
