@@ -79,6 +79,12 @@ class TransientFlow {
   /// The flow's on all grains together, in the last step; a body force acts inside
   /// grains too and is part of it [N].
   Vec3 grain_force() const;
+  /// What the outside does to the liquid through a face of the box, in the last step:
+  /// tractions, and momentum that flows in; none through periodic ones [N].
+  Vec3 face_force(int face) const;
+  /// Rate of change of the momentum of the liquid in the last step, that in the place of
+  /// free bodies included, of held ones not [N].
+  Vec3 liquid_inertia() const;
   double cell_at_bodies() const;  ///< edge [m]
   const TransientFlowCounts& counts() const;
 
