@@ -25,7 +25,8 @@ double cut(const Vec3& arm, int axis, double step, double r) {
 }  // namespace
 
 std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh& mesh,
-                                   const std::vector<Sphere>& bodies, double viscosity) {
+                                   const std::vector<Sphere>& bodies, double viscosity,
+                                   double rigidity) {
   std::vector<ImmersedEntry> entries;
   const Vec3 ratio{1.0, levels.spacing(1) / levels.spacing(0),
                    levels.spacing(2) / levels.spacing(0)};
@@ -43,7 +44,7 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
       ImmersedEntry entry{static_cast<int>(cell), static_cast<int>(b), 0.0,
                           distance2 < r * r, arm};
       if (entry.solid) {
-        entry.strength = kRigid * viscosity / (size * size);
+        entry.strength = rigidity * viscosity / (size * size);
       } else {
         for (int axis = 0; axis < 3; ++axis) {
           const double h = size * ratio[axis];
@@ -52,7 +53,8 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
             beyond[axis] += step;
             if (dot(beyond, beyond) < r * r) {
               const double theta = cut(arm, axis, step, r);
-              entry.strength += viscosity / (h * h) * std::min(1.0 / theta - 1.0, kRigid);
+              entry.strength +=
+                  viscosity / (h * h) * std::min(1.0 / theta - 1.0, rigidity);
             }
           }
         }

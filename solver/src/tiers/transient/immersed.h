@@ -30,13 +30,11 @@ struct ImmersedEntry {
   Vec3 arm;               ///< from the body's centre (nearest image) to the cell's [m]
 };
 
-/// Over nu/h^2 + 1/dt: the rate at which cells inside a body follow it; over nu/h^2: the
-/// largest contribution of a link.  What leaks is its reciprocal.
-constexpr double kRigid = 1e3;
-
 /// Entries of all bodies, by body, then by cell, those inside without the 1/dt.
-/// `viscosity`: kinematic [m^2/s].
+/// `viscosity`: kinematic [m^2/s].  `rigidity`: the rate at which cells inside a body
+/// follow it, and the largest contribution of a link, over nu/h^2.
 std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh& mesh,
-                                   const std::vector<Sphere>& bodies, double viscosity);
+                                   const std::vector<Sphere>& bodies, double viscosity,
+                                   double rigidity);
 
 }  // namespace colloid

@@ -369,7 +369,8 @@ struct TransientFlow::Impl {
   std::vector<ImmersedEntry> immersed(const std::vector<FlowBody>& bodies, double dt) {
     const std::size_t grains = scene.geometry.spheres.size();
     if (!fixed_known) {
-      fixed_entries = immerse(levels, octree, scene.geometry.spheres, viscosity);
+      fixed_entries =
+          immerse(levels, octree, scene.geometry.spheres, viscosity, options.rigidity);
       fixed_known = true;
     }
     spheres = scene.geometry.spheres;
@@ -379,12 +380,13 @@ struct TransientFlow::Impl {
       spheres.push_back(body.sphere);
     }
     std::vector<ImmersedEntry> entries = fixed_entries;
-    for (ImmersedEntry entry : immerse(levels, octree, moving, viscosity)) {
+    for (ImmersedEntry entry :
+         immerse(levels, octree, moving, viscosity, options.rigidity)) {
       entry.body += static_cast<int>(grains);
       entries.push_back(entry);
     }
     for (ImmersedEntry& entry : entries) {
-      entry.strength += entry.solid ? kRigid / dt : 0.0;
+      entry.strength += entry.solid ? options.rigidity / dt : 0.0;
     }
     return entries;
   }

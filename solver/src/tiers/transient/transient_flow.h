@@ -42,6 +42,9 @@ struct TransientFlowOptions {
   int outer_iterations = 1;          ///< of momentum and pressure, a step
   double momentum_tolerance = 1e-4;  ///< relative residual of the momentum
   double pressure_tolerance = 1e-3;  ///< relative residual of the pressure
+  /// Rate at which the liquid inside a body follows it, over nu/h^2 + 1/dt.  What leaks
+  /// is its reciprocal.
+  double rigidity = 1e3;
 };
 
 struct TransientFlowCounts {
