@@ -385,6 +385,12 @@ struct TransientFlow::Impl {
       entry.body += static_cast<int>(grains);
       entries.push_back(entry);
     }
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (bodies[b].free || norm(bodies[b].velocity) + norm(bodies[b].spin) > 0.0) {
+        open_narrow_gaps(levels, octree, static_cast<int>(grains + b), spheres, viscosity,
+                         entries);
+      }
+    }
     for (ImmersedEntry& entry : entries) {
       entry.strength += entry.solid ? options.rigidity / dt : 0.0;
     }
