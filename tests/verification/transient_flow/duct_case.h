@@ -23,10 +23,8 @@ struct DuctFound {
 
 /// Neutrally buoyant, in a periodic duct two widths long, at the reference Reynolds
 /// number (0.1 of width and largest speed): held at its place until it has come to its
-/// motion, then let go over two cells. `passes` of momentum and pressure a step; let go
-/// at the Courant number `courant`.
-inline DuctFound free_in_duct(double size, double offset, int cells, int passes = 1,
-                              double courant = 0.3) {
+/// motion, then let go over three cells.
+inline DuctFound free_in_duct(double size, double offset, int cells) {
   constexpr double kWidth = 1e-4;
   constexpr double kSpeed = 1e-3;
   constexpr double kStep = 2e-4;  // the flow's slowest mode dies in 5e-4 s
