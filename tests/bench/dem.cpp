@@ -47,7 +47,7 @@ void spread(benchmark::State& state) {
 void spread_all_forces(benchmark::State& state) {
   DemOptions options = bonding();
   options.long_range_forces = options.lubrication = true;
-  options.lubrication_cut = 1.3e-6;
+  options.lubrication_cell = 1.3e-6;
   advance(state, options, 2.5e-5);
 }
 void heap(benchmark::State& state) {
@@ -59,7 +59,7 @@ void bonded(benchmark::State& state) {
 void heap_all_forces(benchmark::State& state) {
   DemOptions options = inert();
   options.long_range_forces = options.lubrication = true;
-  options.lubrication_cut = 1.3e-6;
+  options.lubrication_cell = 1.3e-6;
   advance(state, options, 2.0 * kRadius + 1e-8);
 }
 BENCHMARK(spread)->Arg(10)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond);

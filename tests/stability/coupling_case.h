@@ -22,8 +22,10 @@ struct CouplingResult {
   double last_speed = 0.0;  ///< [m/s]
 };
 
+/// `refinement`, `rigidity`: of TransientFlowOptions.
 inline CouplingResult coupled_motion(bool implicit, double density_ratio, double step,
-                                     int steps, const Vec3& place, int cells) {
+                                     int steps, const Vec3& place, int cells,
+                                     int refinement = 1, double rigidity = 1e3) {
   constexpr double kRadius = 6.65e-6;
   constexpr double kDiameter = 96.6e-6;
   constexpr FaceCondition kWall = FaceCondition::wall;
@@ -40,6 +42,8 @@ inline CouplingResult coupled_motion(bool implicit, double density_ratio, double
   scene.drive.inlet_velocity = 5e-4;
   TransientFlowOptions options;
   options.cells = {cells, cells, cells * 3 / 2};
+  options.refinement = refinement;
+  options.rigidity = rigidity;
   TransientFlow flow(scene, options);
   FlowBody body;
   body.sphere = {place, kRadius};

@@ -1,6 +1,6 @@
 // Approach under a constant force against sub-grid lubrication alone.
-// Reference  h' = -F / (6 pi mu R^2 (1/h - 1/cut)):
-//            ln(h/h_0) - (h - h_0)/cut = -F t / (6 pi mu R^2), R = a at a wall, a/2 for
+// Reference  h' = -F / (6 pi mu R^2 (1/h - s(h/d)/d)), s the flow's share, d its cell:
+//            ln(h/h_0) + integral of s = -F t / (6 pi mu R^2), R = a at a wall, a/2 for
 //            two colloids.
 // Tolerance  with rate = F/(6 pi mu R^2): positions follow velocities explicitly, ln h is
 //            off by rate t rate step / 2 (twice that near the cut: asked for below
@@ -16,26 +16,37 @@
 namespace colloid::dem_test {
 namespace {
 
-constexpr double kCut = 1e-6;
+constexpr double kCell = 2e-6;
 constexpr double kStart = 2e-7;
 constexpr double kPush = 5e-10;  // on a colloid at a wall; less where less resists
 
 DemOptions lubricated(double step) {
   DemOptions options = inert();
   options.lubrication = true;
-  options.lubrication_cut = kCut;
+  options.lubrication_cell = kCell;
   options.step = step;
   return options;
 }
 
 /// ln(h/h_0) that the law gives after `turns` = rate t.
 double law(double turns) {
-  const double start = kStart / kCut;
-  double y = -turns;
-  for (int i = 0; i < 50; ++i) {  // Newton
-    y -= (y - start * std::expm1(y) + turns) / (1.0 - start * std::exp(y));
+  const auto turned = [](double y) {
+    double resolved = 0.0;  // midpoints of what the flow has
+    constexpr int kPoints = 2000;
+    const double start = kStart / kCell;
+    const double width = start * (1.0 - std::exp(y)) / kPoints;
+    for (int i = 0; i < kPoints; ++i) {
+      resolved += width * resolved_resistance(start - (i + 0.5) * width);
+    }
+    return -y - resolved;
+  };
+  double low = -2.0 * turns;
+  double high = 0.0;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (turned(middle) > turns ? low : high) = middle;
   }
-  return y;
+  return low;
 }
 
 void expect_law(double radius, const std::function<double(double, double)>& gap_after) {
@@ -107,13 +118,24 @@ TEST(DemLubrication, IsSolvedForARowBetweenTwoPlanes) {
   }
 }
 
-TEST(DemLubrication, VanishesAtTheCut) {
-  EXPECT_EQ(lubrication_resistance(kViscosity, kRadius, kCut, kCut, 1e-10), 0.0);
+TEST(DemLubrication, IsWhatTheFlowLeavesOfTheExactPole) {
   const double leading = 6.0 * kPi * kViscosity * kRadius * kRadius;
-  EXPECT_NEAR(lubrication_resistance(kViscosity, kRadius, 0.5 * kCut, kCut, 1e-10),
-              leading / kCut, 1e-12 * leading / kCut);
-  EXPECT_EQ(lubrication_resistance(kViscosity, kRadius, -1e-9, kCut, 1e-10),
-            lubrication_resistance(kViscosity, kRadius, 1e-10, kCut, 1e-10));
+  const auto at = [](double gap, double floor) {
+    return lubrication_resistance(kViscosity, kRadius, gap, kCell, floor);
+  };
+  EXPECT_EQ(at(kResolvedGap * kCell, 1e-10), 0.0);
+  // Narrow gaps: the pole; the flow has less than two over a cell of it.
+  EXPECT_NEAR(at(1e-3 * kCell, 1e-10) * kCell / leading, 999.0, 1.0);
+  EXPECT_EQ(at(-1e-9, 1e-10), at(1e-10, 1e-10));
+  // It and the flow's share make the pole, and go on without a jump.
+  double before = 0.0;
+  for (double x = 3.1; x > 0.001; x *= 0.99) {
+    const double missing = at(x * kCell, 1e-10) * kCell / leading;
+    EXPECT_NEAR(missing + resolved_resistance(x), 1.0 / x, 1e-9 / x);
+    EXPECT_GE(missing, before - 1e-9) << x;
+    EXPECT_LT(missing - before, 0.02 / x) << x;
+    before = missing;
+  }
 }
 
 }  // namespace

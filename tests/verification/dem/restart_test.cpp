@@ -34,7 +34,7 @@ DemOptions everything(bool aggregates) {
   options.permanent_bonds = false;
   options.long_range_forces = true;
   options.lubrication = true;
-  options.lubrication_cut = 5e-7;
+  options.lubrication_cell = 5e-7;
   return options;
 }
 

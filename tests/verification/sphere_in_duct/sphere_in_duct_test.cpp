@@ -2,9 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +9,7 @@
 
 #include "core/constants.h"
 #include "flow/stokes_solver.h"
+#include "sphere_in_duct/duct_reference.h"
 
 namespace colloid {
 namespace {
@@ -20,45 +18,8 @@ constexpr double kWidth = 1e-4;  // W [m]
 constexpr double kMu = 1e-3;     // [Pa s]
 constexpr double kLong = 2.0;    // period over W: the disturbance falls by exp(-4.2 z/W)
 constexpr double kSpeed = 1e-3;  // [m/s]
-// Developed flow of a square duct: k/W^2 and u_max/u_mean of the exact series.
-constexpr double kPermeability = 0.0351442537;
-constexpr double kPeak = 2.09626;
 // Second order: 1 % at 12 cells per diameter or per gap to the wall, whichever is less.
 constexpr double kTarget = 0.01 * 12 * 12;
-
-// A row of reference.csv; the forces over 6 pi mu a, torques over 8 pi mu a^3.
-struct Reference {
-  double size = 0.0, offset = 0.0;  ///< over W
-  double k_f = 0.0, k_c = 0.0, k_t = 0.0;
-  double f_held = 0.0, t_held = 0.0;
-  double rise_moves = 0.0, drop_held = 0.0;
-  double residual = 0.0;
-};
-
-std::vector<Reference> square_ducts() {
-  std::ifstream file(PORECLOG_SOURCE_DIR
-                     "/tests/verification/sphere_in_duct/reference.csv");
-  std::vector<Reference> out;
-  std::string line;
-  while (std::getline(file, line)) {
-    std::istringstream fields(line);
-    std::string name;
-    std::getline(fields, name, ',');
-    if (name != "square") {
-      continue;
-    }
-    std::vector<double> x;
-    for (std::string field; std::getline(fields, field, ',');) {
-      x.push_back(std::stod(field));
-    }
-    out.push_back({x.at(0), x.at(1), x.at(2), x.at(3), x.at(5), x.at(6), x.at(7), x.at(8),
-                   x.at(10), x.at(11)});
-  }
-  if (out.size() != 7) {
-    throw std::runtime_error("reference.csv: expected seven square ducts");
-  }
-  return out;
-}
 
 // What one solve found, in units of the reference: forces over 6 pi mu a kSpeed, torques
 // over 8 pi mu a^2 kSpeed.
@@ -112,7 +73,7 @@ class Duct {
   }
 
   static double pressure_slope() {
-    return kMu * (kSpeed / kPeak) / (kPermeability * kWidth * kWidth);
+    return kMu * (kSpeed / kDuctPeak) / (kDuctPermeability * kWidth * kWidth);
   }
 
  private:
@@ -136,8 +97,8 @@ Held forces(Duct& duct, double radius_over_width) {
   const double part = -moved.flux / held.flux;
   const double slope = Duct::pressure_slope() * kLong * kWidth * kWidth / (kMu * kSpeed);
   // The flux of the developed flow through the duct with the held sphere in it: as much
-  // more drive as gives its flux 1/kPeak.
-  const double full = 1.0 / (kPeak * held.flux);
+  // more drive as gives its flux 1/kDuctPeak.
+  const double full = 1.0 / (kDuctPeak * held.flux);
   Held out{};
   out.k_f_open = -moved.force.z;
   out.k_f = -(moved.force.z + part * held.force.z);
@@ -157,7 +118,7 @@ double relative(double found, double expected) {
 // Of the extra pressure drop, the difference of two large numbers for small spheres,
 // twice as much as of the others.
 TEST(SphereInDuct, ForcesWithNetFluxAndWithPressureDropHeld) {
-  for (const Reference& r : square_ducts()) {
+  for (const DuctReference& r : square_ducts()) {
     if (r.size < 0.3) {
       continue;  // too small for the grids used here; see TheReferenceHasTheFarField
     }
@@ -187,7 +148,7 @@ TEST(SphereInDuct, ForcesWithNetFluxAndWithPressureDropHeld) {
       }
       // An open duct lets the liquid follow: by linearity, with the developed flow and
       // what the held sphere takes of it.
-      const double slope = 1.0 / (kPeak * kPermeability);
+      const double slope = 1.0 / (kDuctPeak * kDuctPermeability);
       const double carried = r.rise_moves / (slope * kLong + r.drop_held);
       const double open = r.k_f - carried * r.f_held;
       check("K_F open", found.k_f_open, open, r.k_f, 1.0);
@@ -199,21 +160,15 @@ TEST(SphereInDuct, ForcesWithNetFluxAndWithPressureDropHeld) {
 // not drift sideways; off the axis it is slower.
 TEST(SphereInDuct, FreeSpheresFollowTheFlow) {
   double on_axis = 0.0;
-  for (const Reference& r : square_ducts()) {
+  for (const DuctReference& r : square_ducts()) {
     if (r.size != 0.4) {
       continue;
     }
-    // R [U; a w] = held wrench, torques in units of 6 pi mu a^2.
-    const double a = 0.5 * r.size;
-    const double turn = 4.0 / 3.0 * r.k_t;
-    const double torque = 4.0 / 3.0 * r.t_held * a;
-    const double determinant = r.k_f * turn - r.k_c * r.k_c;
-    const double speed = (turn * r.f_held - r.k_c * torque) / determinant;
-    const double spin = (r.k_f * torque - r.k_c * r.f_held) / determinant;
+    const auto [speed, spin] = free_motion(r);
     for (int cells : {24, 48}) {
       Duct duct(r.size, r.offset, cells);
       const Found free = duct.solve(true, {}, nullptr);
-      const double scale = 1.0 / (kPeak * free.flux);  // to the developed flow's flux
+      const double scale = 1.0 / (kDuctPeak * free.flux);  // to the developed flow's flux
       const double resolved =
           cells * std::min(r.size, 0.5 - 0.5 * r.size - std::abs(r.offset));
       const double bound = kTarget / (resolved * resolved) + r.residual;
@@ -241,12 +196,12 @@ TEST(SphereInDuct, FreeSpheresFollowTheFlow) {
 // d/W) + O((d/W)^3), and by Faxen the speed 1 + (a^2/6) lap u/u_max at the axis.
 TEST(SphereInDuct, TheReferenceHasTheFarField) {
   int found = 0;
-  for (const Reference& r : square_ducts()) {
+  for (const DuctReference& r : square_ducts()) {
     if (r.offset == 0.0 && r.size <= 0.2) {
       const double cube = r.size * r.size * r.size;
       EXPECT_NEAR(1.0 / r.k_f, 1.0 - 1.9033 * r.size, 2.2 * cube + r.residual) << r.size;
       // lap u = -u_mean/k.
-      const double faxen = 1.0 - r.size * r.size / 24.0 / (kPeak * kPermeability);
+      const double faxen = 1.0 - r.size * r.size / 24.0 / (kDuctPeak * kDuctPermeability);
       EXPECT_NEAR(r.f_held / r.k_f, faxen, 2.0 * cube * r.size * r.size + r.residual)
           << r.size;
       ++found;
@@ -258,9 +213,9 @@ TEST(SphereInDuct, TheReferenceHasTheFarField) {
 // Reciprocity: the pressure that a moving sphere raises times the flux of the developed
 // flow is the force on the held one times the speed.
 TEST(SphereInDuct, TheReferenceIsReciprocal) {
-  for (const Reference& r : square_ducts()) {
+  for (const DuctReference& r : square_ducts()) {
     const double drag = 3.0 * kPi * r.size;  // 6 pi a
-    EXPECT_NEAR(r.rise_moves / kPeak, drag * r.f_held,
+    EXPECT_NEAR(r.rise_moves / kDuctPeak, drag * r.f_held,
                 drag * r.f_held * (5e-3 + r.residual))
         << r.size << " " << r.offset;
   }

@@ -39,7 +39,7 @@ void check(const DemOptions& options) {
   positive(options.grain.young_modulus, "the grains' Young's modulus");
   positive(options.step, "the step");
   if (options.lubrication) {
-    positive(options.lubrication_cut, "the cut-off of lubrication");
+    positive(options.lubrication_cell, "the cell of lubrication");
   }
   for (const double nu : {options.colloid.poisson_ratio, options.grain.poisson_ratio}) {
     require(nu >= 0.0 && nu <= 0.5, "DEM", [&] {

@@ -45,10 +45,10 @@ struct DemOptions {
   double least_surface_force = 1e-13;  ///< [N]
   bool permanent_bonds = true;         ///< else they break above the pull-off
 
-  /// Lubrication along the line of centres where the flow does not resolve the gap: below
-  /// `lubrication_cut` [m], less its value there.
+  /// Lubrication along the line of centres, less what a flow on cells of the edge
+  /// `lubrication_cell` [m] resists with by itself.
   bool lubrication = false;
-  double lubrication_cut = 0.0;
+  double lubrication_cell = 0.0;
 };
 
 struct DemState {

@@ -48,7 +48,7 @@ DemForces::DemForces(const DemOptions& options, int grains)
     reach_ = std::max({reach_, grain_force_.range(), colloid_force_.range()});
   }
   if (options_.lubrication) {
-    reach_ = std::max(reach_, options_.lubrication_cut);
+    reach_ = std::max(reach_, kResolvedGap * options_.lubrication_cell);
   }
   floor_ = options_.surfaces.grain.forces.pair().closest_gap;
 }
@@ -203,10 +203,10 @@ void DemForces::add_pair(const DemAtoms& atoms, const DemPair& pair) {
 
 void DemForces::narrow(int first, int second, const Vec3& normal, double reduced_radius,
                        double gap) {
-  if (options_.lubrication && gap < options_.lubrication_cut) {
+  if (options_.lubrication && gap < kResolvedGap * options_.lubrication_cell) {
     gaps_.push_back({first, second, normal,
                      lubrication_resistance(options_.viscosity, reduced_radius, gap,
-                                            options_.lubrication_cut, floor_),
+                                            options_.lubrication_cell, floor_),
                      0.0});
   }
 }

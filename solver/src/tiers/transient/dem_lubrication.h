@@ -7,10 +7,18 @@
 
 namespace colloid {
 
-/// Resistance to approach [N s/m] at the gap h of surfaces of reduced radius R:
-/// 6 pi mu R^2 (1/h - 1/cut), zero beyond the cut, constant below `floor`.
+/// Wider gaps, in cells, are the flow's alone.
+constexpr double kResolvedGap = 3.0;
+
+/// What a flow on cells of the edge d resists with at the gap x d, over 6 pi mu R^2/d:
+/// measured, MODEL (T9).  1/x from kResolvedGap on.
+double resolved_resistance(double x);
+
+/// Resistance to approach [N s/m] at the gap h of surfaces of reduced radius R that a
+/// flow on cells of the edge d leaves: 6 pi mu R^2 (1/h - resolved_resistance(h/d)/d),
+/// constant below `floor`.
 double lubrication_resistance(double viscosity, double reduced_radius, double gap,
-                              double cut, double floor);
+                              double cell, double floor);
 
 /// One narrow gap.  Slots: where a colloid's velocity is in the arrays; -1: at rest.
 struct NarrowGap {

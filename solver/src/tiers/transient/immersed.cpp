@@ -22,10 +22,34 @@ double cut(const Vec3& arm, int axis, double step, double r) {
   return c / (-b + std::sqrt(discriminant));
 }
 
+// In cells: nearer to another surface a body's cells stay liquid, and how strongly they
+// then follow it, over nu/h^2.
+constexpr double kOpen = 0.75;
+constexpr double kOpenStrength = 2.0;
+
+bool near_wall(const Box& box, const Vec3& x, const Vec3& size) {
+  for (int face = 0; face < kFaces; ++face) {
+    const int axis = axis_of(face);
+    const double distance = is_upper(face) ? box.size[axis] - x[axis] : x[axis];
+    if (box.face(face) == FaceCondition::wall && distance < kOpen * size[axis]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool near_sphere(const Box& box, const Vec3& x, double size,
+                 const std::vector<Sphere>& spheres) {
+  return std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& sphere) {
+    return norm(shortest(box, x, sphere.center)) < sphere.radius + kOpen * size;
+  });
+}
+
 }  // namespace
 
 std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh& mesh,
-                                   const std::vector<Sphere>& bodies, double viscosity) {
+                                   const std::vector<Sphere>& bodies, double viscosity,
+                                   double rigidity) {
   std::vector<ImmersedEntry> entries;
   const Vec3 ratio{1.0, levels.spacing(1) / levels.spacing(0),
                    levels.spacing(2) / levels.spacing(0)};
@@ -43,7 +67,7 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
       ImmersedEntry entry{static_cast<int>(cell), static_cast<int>(b), 0.0,
                           distance2 < r * r, arm};
       if (entry.solid) {
-        entry.strength = kRigid * viscosity / (size * size);
+        entry.strength = rigidity * viscosity / (size * size);
       } else {
         for (int axis = 0; axis < 3; ++axis) {
           const double h = size * ratio[axis];
@@ -52,7 +76,8 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
             beyond[axis] += step;
             if (dot(beyond, beyond) < r * r) {
               const double theta = cut(arm, axis, step, r);
-              entry.strength += viscosity / (h * h) * std::min(1.0 / theta - 1.0, kRigid);
+              entry.strength +=
+                  viscosity / (h * h) * std::min(1.0 / theta - 1.0, rigidity);
             }
           }
         }
@@ -63,6 +88,35 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
     }
   }
   return entries;
+}
+
+void open_narrow_gaps(const OctreeLevels& levels, const OctreeMesh& mesh, int body,
+                      const std::vector<Sphere>& spheres, double viscosity,
+                      std::vector<ImmersedEntry>& entries) {
+  const Vec3 ratio{1.0, levels.spacing(1) / levels.spacing(0),
+                   levels.spacing(2) / levels.spacing(0)};
+  const Sphere& self = spheres[static_cast<std::size_t>(body)];
+  std::vector<Sphere> neighbours;
+  for (const Sphere& sphere : spheres) {
+    const double gap = norm(shortest(levels.box, sphere.center, self.center)) -
+                       sphere.radius - self.radius;
+    if (&sphere != &self && gap < levels.spacing(0)) {
+      neighbours.push_back(sphere);
+    }
+  }
+  for (ImmersedEntry& entry : entries) {
+    if (entry.body != body) {
+      continue;
+    }
+    const Vec3& x = mesh.centres[static_cast<std::size_t>(entry.cell)];
+    const double size = mesh.size[static_cast<std::size_t>(entry.cell)];
+    const double open = kOpenStrength * viscosity / (size * size);
+    if (entry.strength > open && (near_wall(levels.box, x, size * ratio) ||
+                                  near_sphere(levels.box, x, size, neighbours))) {
+      entry.strength = open;
+      entry.solid = false;
+    }
+  }
 }
 
 }  // namespace colloid

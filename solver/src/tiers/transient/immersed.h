@@ -12,6 +12,12 @@
 //
 // It goes to infinity where the centre reaches the surface, so that nothing jumps when a
 // body moves through the grid.
+//
+// Where a body is about to touch a wall or another body the cells between them cannot be
+// rigid: the liquid there would have no way out but through the walls of the cells, at a
+// resistance that is set by the penalisation and jumps with every cell that goes inside.
+// They stay liquid, with a resistance of about that of a gap of half a cell; the rest is
+// sub-grid lubrication's.
 #pragma once
 
 #include <vector>
@@ -30,13 +36,17 @@ struct ImmersedEntry {
   Vec3 arm;               ///< from the body's centre (nearest image) to the cell's [m]
 };
 
-/// Over nu/h^2 + 1/dt: the rate at which cells inside a body follow it; over nu/h^2: the
-/// largest contribution of a link.  What leaks is its reciprocal.
-constexpr double kRigid = 1e3;
-
 /// Entries of all bodies, by body, then by cell, those inside without the 1/dt.
-/// `viscosity`: kinematic [m^2/s].
+/// `viscosity`: kinematic [m^2/s].  `rigidity`: the rate at which cells inside a body
+/// follow it, and the largest contribution of a link, over nu/h^2.
 std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh& mesh,
-                                   const std::vector<Sphere>& bodies, double viscosity);
+                                   const std::vector<Sphere>& bodies, double viscosity,
+                                   double rigidity);
+
+/// Keeps cells liquid where body `body` of `entries` is about to touch a wall or one of
+/// `spheres`, itself apart.
+void open_narrow_gaps(const OctreeLevels& levels, const OctreeMesh& mesh, int body,
+                      const std::vector<Sphere>& spheres, double viscosity,
+                      std::vector<ImmersedEntry>& entries);
 
 }  // namespace colloid

@@ -369,7 +369,8 @@ struct TransientFlow::Impl {
   std::vector<ImmersedEntry> immersed(const std::vector<FlowBody>& bodies, double dt) {
     const std::size_t grains = scene.geometry.spheres.size();
     if (!fixed_known) {
-      fixed_entries = immerse(levels, octree, scene.geometry.spheres, viscosity);
+      fixed_entries =
+          immerse(levels, octree, scene.geometry.spheres, viscosity, options.rigidity);
       fixed_known = true;
     }
     spheres = scene.geometry.spheres;
@@ -379,12 +380,19 @@ struct TransientFlow::Impl {
       spheres.push_back(body.sphere);
     }
     std::vector<ImmersedEntry> entries = fixed_entries;
-    for (ImmersedEntry entry : immerse(levels, octree, moving, viscosity)) {
+    for (ImmersedEntry entry :
+         immerse(levels, octree, moving, viscosity, options.rigidity)) {
       entry.body += static_cast<int>(grains);
       entries.push_back(entry);
     }
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (bodies[b].free || norm(bodies[b].velocity) + norm(bodies[b].spin) > 0.0) {
+        open_narrow_gaps(levels, octree, static_cast<int>(grains + b), spheres, viscosity,
+                         entries);
+      }
+    }
     for (ImmersedEntry& entry : entries) {
-      entry.strength += entry.solid ? kRigid / dt : 0.0;
+      entry.strength += entry.solid ? options.rigidity / dt : 0.0;
     }
     return entries;
   }
@@ -453,6 +461,7 @@ struct TransientFlow::Impl {
     counts.momentum_iterations += solved.iterations;
     require_converged(solved, "momentum");
     std::vector<Six> reaction = entry_reaction(entries, bodies);
+    begin_face_forces();
     // 2. Fluxes; the difference of the two gradients keeps the pressure of neighbouring
     // cells together (Rhie & Chow 1983).
     phi = Foam::fvc::flux(u) +
@@ -470,6 +479,7 @@ struct TransientFlow::Impl {
     require_converged(projected, "pressure");
     correction.correct(dp, u, bodies);
     add_reaction(dt, dp, entries, bodies, reaction);
+    finish_face_forces(dp);
     // 4. Cahouet & Chabard (1988): the Laplacian alone answers inertia, the divergence
     // itself viscosity.
     p += dp;
@@ -503,6 +513,35 @@ struct TransientFlow::Impl {
     }
     sum_over_ranks(sums.empty() ? nullptr : sums.front().data(), 6 * sums.size());
     return sums;
+  }
+
+  // What the outside does to the liquid through each face of the box, and through those
+  // of cells left out inside grains: friction, and momentum that flows in, both as in the
+  // momentum equation; then the pressure that makes the velocity free of divergence.  So
+  // the momentum of the whole is balanced in every step, not only in steady flow.
+  void begin_face_forces() {
+    const volVectorField& u = fields->velocity;
+    for (int face = 0; face <= kFaces; ++face) {
+      const Foam::fvPatch& patch = mesh->boundary()[face];
+      face_forces[at(face)] = {};
+      if (!patch.coupled()) {
+        const Foam::vectorField traction(
+            viscosity * u.boundaryField()[face].snGrad() * patch.magSf() -
+            fields->flux.boundaryField()[face] * u.boundaryField()[face]);
+        face_forces[at(face)] = vec3(Foam::sum(traction));
+      }
+    }
+  }
+  void finish_face_forces(const volScalarField& dp) {
+    for (int face = 0; face <= kFaces; ++face) {
+      const Foam::fvPatch& patch = mesh->boundary()[face];
+      if (!patch.coupled()) {
+        const Foam::vectorField traction(
+            (fields->pressure.boundaryField()[face] + dp.boundaryField()[face]) *
+            patch.Sf());
+        face_forces[at(face)] -= vec3(Foam::sum(traction));
+      }
+    }
   }
 
   // What the pressure correction asks of driven bodies.
@@ -563,7 +602,7 @@ struct TransientFlow::Impl {
                      {load[0], load[1], load[2]},
                      {load[3], load[4], load[5]}});
     }
-    grain_force = solid_patch_force();
+    finish_forces(dt, entries, moved);
     for (std::size_t b = 0; b < grains; ++b) {
       const Six load = density * (reaction[b] + inside[b]);
       grain_force += {load[0], load[1], load[2]};
@@ -571,21 +610,38 @@ struct TransientFlow::Impl {
     return out;
   }
 
-  // What the liquid kept inside grains does to the part of them that is left out, and the
-  // body force on that part.
-  Vec3 solid_patch_force() const {
+  // Sums over ranks, in newtons: of the faces, of inertia, and what the liquid kept
+  // inside grains does to the part of them that is left out, with the body force on that
+  // part.
+  void finish_forces(double dt, const std::vector<ImmersedEntry>& entries,
+                     const std::vector<MomentumBody>& bodies) {
     const volVectorField& u = fields->velocity;
-    const Foam::fvPatch& patch = mesh->boundary()[kFaces];
-    const Foam::vectorField traction(
-        fields->pressure.boundaryField()[kFaces] * patch.Sf() -
-        viscosity * u.boundaryField()[kFaces].snGrad() * patch.magSf());
-    const Foam::vector sum = Foam::sum(traction);
-    double sums[4] = {sum.x(), sum.y(), sum.z(), Foam::sum(mesh->V().field())};
-    sum_over_ranks(sums, 4);
+    const volVectorField& old = u.oldTime();
+    const Foam::scalarField& volume = mesh->V();
+    liquid_inertia = vec3(Foam::sum(
+        Foam::vectorField((u.primitiveField() - old.primitiveField()) * volume)));
+    for (const ImmersedEntry& entry : entries) {
+      if (entry.solid && !bodies[at(entry.body)].free) {
+        liquid_inertia -= vec3(u[entry.cell] - old[entry.cell]) * volume[entry.cell];
+      }
+    }
+    std::vector<double> sums{Foam::sum(volume)};
+    const auto add = [&](const Vec3& v) { sums.insert(sums.end(), {v.x, v.y, v.z}); };
+    add(liquid_inertia * (1.0 / dt));
+    std::for_each(face_forces.begin(), face_forces.end(), add);
+    sum_over_ranks(sums.data(), sums.size());
+    const auto sum = [&](std::size_t n) {
+      return scene.fluid.density *
+             Vec3{sums[3 * n + 1], sums[3 * n + 2], sums[3 * n + 3]};
+    };
+    liquid_inertia = sum(0);
+    for (std::size_t n = 0; n < face_forces.size(); ++n) {
+      face_forces[n] = sum(n + 1);
+    }
     const Vec3& size = levels.box.size;
-    const double left_out = size.x * size.y * size.z - sums[3];
-    return scene.fluid.density * Vec3{sums[0], sums[1], sums[2]} +
-           left_out * scene.drive.body_force.value_or(Vec3{});
+    const double left_out = size.x * size.y * size.z - sums[0];
+    grain_force =
+        left_out * scene.drive.body_force.value_or(Vec3{}) - face_forces[kFaces];
   }
 
   static void require_converged(const SolveReport& report, const char* what) {
@@ -654,6 +710,8 @@ struct TransientFlow::Impl {
   std::vector<ImmersedEntry> fixed_entries;  // of this grid
   std::vector<Sphere> spheres;               // grains and bodies of this step
   Vec3 grain_force;
+  Vec3 liquid_inertia;
+  std::array<Vec3, kFaces + 1> face_forces{};
   TransientFlowCounts counts;
 };
 
@@ -734,6 +792,14 @@ Vec3 TransientFlow::mean_velocity() const {
 
 Vec3 TransientFlow::grain_force() const {
   return impl_->grain_force;
+}
+
+Vec3 TransientFlow::face_force(int face) const {
+  return impl_->face_forces[at(face)];
+}
+
+Vec3 TransientFlow::liquid_inertia() const {
+  return impl_->liquid_inertia;
 }
 
 Vec3 TransientFlow::velocity_at(const Vec3& x) const {

@@ -42,6 +42,9 @@ struct TransientFlowOptions {
   int outer_iterations = 1;          ///< of momentum and pressure, a step
   double momentum_tolerance = 1e-4;  ///< relative residual of the momentum
   double pressure_tolerance = 1e-3;  ///< relative residual of the pressure
+  /// Rate at which the liquid inside a body follows it, over nu/h^2 + 1/dt.  What leaks
+  /// is its reciprocal.
+  double rigidity = 1e3;
 };
 
 struct TransientFlowCounts {
@@ -79,6 +82,12 @@ class TransientFlow {
   /// The flow's on all grains together, in the last step; a body force acts inside
   /// grains too and is part of it [N].
   Vec3 grain_force() const;
+  /// What the outside does to the liquid through a face of the box, in the last step:
+  /// tractions, and momentum that flows in; none through periodic ones [N].
+  Vec3 face_force(int face) const;
+  /// Rate of change of the momentum of the liquid in the last step, that in the place of
+  /// free bodies included, of held ones not [N].
+  Vec3 liquid_inertia() const;
   double cell_at_bodies() const;  ///< edge [m]
   const TransientFlowCounts& counts() const;
 

@@ -22,11 +22,6 @@ namespace colloid {
 
 namespace {
 
-// Where lubrication takes over, in cells.  The grid's own resistance to a sphere that
-// approaches a wall is that of a gap of about an eighth of a cell, however narrow it is
-// (measured, MODEL T9): with this cut the sum is right within 7 % below 0.02 cells and
-// within a third in between.
-constexpr double kResolvedGap = 0.25;
 constexpr int kMostSettling = 400;
 constexpr double kSettled = 3e-4;
 constexpr double kSettlingStep = 0.1;  // over the viscous time of the narrowest passage
@@ -79,7 +74,7 @@ DemOptions dem_options(const Scene& scene, const SurfaceModel& contacts,
   options.long_range_forces = regime.colloids->models.long_range_dlvo.needed;
   options.permanent_bonds = scene.bonds == Bonds::permanent;
   options.lubrication = scene.fidelity.lubrication == Lubrication::full;
-  options.lubrication_cut = kResolvedGap * smallest_cell(scene);
+  options.lubrication_cell = smallest_cell(scene);
   return options;
 }
 
