@@ -73,10 +73,11 @@ inline DuctFound free_in_duct(double size, double offset, int cells) {
   return out;
 }
 
-// Largest drift at the Courant number 0.3: measured, a record and not a derivation.  A
-// body that comes 0.3 cells on a step sees the pressure of where it was; the error
-// was 2.7e-3 and 2.1e-3 at 6.4 and 9.6 cells per diameter with one pass, 1.7e-3 with two.
-constexpr double kSplitting = 4e-3;
+// Largest drift of a sphere let go: measured (2.7e-3 and 2.1e-3 at 6.4 and 9.6 cells per
+// diameter, 1.7e-3 with two passes), so a record that guards against worse, no
+// verification.  Smaller steps and a second pass make it smaller; that it is nothing but
+// the splitting of momentum and pressure is not shown.
+constexpr double kDriftOnRecord = 4e-3;
 
 /// Against reference.csv: 1 % at 12 cells per diameter, second order, as the tier
 /// quasi_steady's; sideways, where there is nothing to resolve, a tenth of it.
@@ -98,10 +99,8 @@ inline void expect_duct(double size, double offset, int cells) {
     EXPECT_NEAR(found.spin, exact.spin, bound * exact.speed);
     EXPECT_NEAR(found.sideways, 0.0, 0.1 * bound);
     EXPECT_NEAR(found.across, 0.0, 1e-5);
-    // Splitting momentum and pressure is of first order in the step, and drives it to the
-    // axis; without that:
-    EXPECT_NEAR(1.5 * found.drifted_slowly - 0.5 * found.drifted, 0.0, 0.1 * bound);
-    EXPECT_NEAR(found.drifted, 0.0, kSplitting);
+    EXPECT_NEAR(found.drifted, 0.0, kDriftOnRecord);
+    EXPECT_NEAR(found.drifted_slowly, 0.0, kDriftOnRecord);
     return;
   }
   FAIL() << "no such row in reference.csv";
