@@ -47,10 +47,10 @@ inline Realisation run_from(const Scene& scene, const Start& start,
   checkpoint.realisation.seed = seed;
   checkpoint.realisation.tier = "one_way";
   pack(state, checkpoint.reals, checkpoint.integers);
-  checkpoint.reals["flow"] = flow.state();
+  checkpoint.reals["deposit_flow"] = flow.state();
   checkpoint.reals["motion"] = {};
   checkpoint.reals["first_permeability"] = {first_permeability};
-  checkpoint.integers["flow_counts"] = {flow.solves(), flow.iterations(), 0};
+  checkpoint.integers["deposit_flow_counts"] = {flow.solves(), flow.iterations(), 0};
   RunOptions options;
   options.seed = seed;
   options.checkpoint = folder.file("start.checkpoint");
