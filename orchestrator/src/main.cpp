@@ -56,6 +56,7 @@ constexpr std::array kCommands{
 /// What CLI11 would call a missing subcommand is most often a misspelt one.
 void require_command(int argc, char** argv) {
   std::vector<std::string> names;
+  names.reserve(kCommands.size());
   for (const CommandEntry& entry : kCommands) {
     names.emplace_back(entry.name);
   }
