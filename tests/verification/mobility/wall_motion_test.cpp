@@ -20,11 +20,9 @@ using cases::kBodyTurn;
 #ifdef PORECLOG_THOROUGH
 const std::vector<double> kWide{1.0, 0.5431};
 const std::vector<double> kNarrow{0.5, 0.3, 0.2, 0.1, 0.05, 0.02, 0.01};
-const std::vector<int> kNarrowCells{4, 5, 6};
 #else
 const std::vector<double> kWide{1.0};
 const std::vector<double> kNarrow{0.1, 0.01};
-const std::vector<int> kNarrowCells{4, 5};
 #endif
 
 // Mobility of a sphere beside the wall z = 0 of a cube, in Stokes' units, at `cells` per
@@ -147,13 +145,12 @@ TEST(WallMotion, WideGapsAreResolved) {
   }
 }
 
-// With what the grid leaves out, down to a hundredth of the radius: 5 % at 12 cells per
-// diameter, of which 1 % is the grid's own (above) and of second order.
+// With what the grid leaves out: 5 % down to a hundredth of the radius, at 10 and 12 cells
+// per diameter.  At 8 some motions are further off (README.md).
 TEST(WallMotion, LubricationCompletesNarrowGaps) {
   for (double gap : kNarrow) {
-    for (int cells : kNarrowCells) {
-      const double bound = 0.04 + 0.01 * 36.0 / (cells * cells);
-      expect_close(in_half_space(cells, gap, Lubrication::full), gap, bound, cells);
+    for (int cells : {5, 6}) {
+      expect_close(in_half_space(cells, gap, Lubrication::full), gap, 0.05, cells);
     }
   }
 }
