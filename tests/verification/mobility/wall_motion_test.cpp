@@ -145,8 +145,8 @@ TEST(WallMotion, WideGapsAreResolved) {
   }
 }
 
-// With what the grid leaves out: 5 % down to a hundredth of the radius, at 10 and 12 cells
-// per diameter.  At 8 some motions are further off (README.md).
+// With what the grid leaves out: 5 % down to a hundredth of the radius, at 10 and 12
+// cells per diameter.  At 8 some motions are further off (README.md).
 TEST(WallMotion, LubricationCompletesNarrowGaps) {
   for (double gap : kNarrow) {
     for (int cells : {5, 6}) {
