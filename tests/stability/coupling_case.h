@@ -7,7 +7,7 @@
 
 #include "core/constants.h"
 #include "core/error.h"
-#include "tiers/transient/transient_flow.h"
+#include "transient_flow/flow_scenes.h"
 
 namespace colloid {
 
@@ -27,22 +27,9 @@ inline CouplingResult coupled_motion(bool implicit, double density_ratio, double
                                      int steps, const Vec3& place, int cells,
                                      int refinement = 1, double rigidity = 1e3) {
   constexpr double kRadius = 6.65e-6;
-  constexpr double kDiameter = 96.6e-6;
-  constexpr FaceCondition kWall = FaceCondition::wall;
   constexpr double kStream = 2.5e-3;  // at the throat [m/s]
-  Scene scene;
-  scene.geometry.box = {
-      {kDiameter, kDiameter, 1.5 * kDiameter},
-      {kWall, kWall, kWall, kWall, FaceCondition::outlet, FaceCondition::inlet}};
-  for (int corner = 0; corner < 4; ++corner) {
-    scene.geometry.spheres.push_back(
-        {{corner % 2 * kDiameter, corner / 2 * kDiameter, 0.5 * kDiameter},
-         0.5 * kDiameter});
-  }
-  scene.drive.inlet_velocity = 5e-4;
-  TransientFlowOptions options;
-  options.cells = {cells, cells, cells * 3 / 2};
-  options.refinement = refinement;
+  const Scene scene = throat_scene(5e-4);
+  TransientFlowOptions options = base_cells(cells, cells, cells * 3 / 2, refinement);
   options.rigidity = rigidity;
   TransientFlow flow(scene, options);
   FlowBody body;

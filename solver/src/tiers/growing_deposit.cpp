@@ -64,6 +64,10 @@ std::vector<Sphere> GrowingDeposit::add(std::vector<RetainedColloid> colloids,
   return std::move(batch.spheres);
 }
 
+bool GrowingDeposit::ends_run(const Realisation& realisation) const {
+  return scene_.stop_when == StopWhen::clogged && !std::isnan(realisation.tc);
+}
+
 void GrowingDeposit::save(Checkpoint& checkpoint) const {
   checkpoint.reals["deposit_flow"] = flow_.state();
   checkpoint.reals["first_permeability"] = {first_permeability_};

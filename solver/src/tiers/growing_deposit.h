@@ -28,6 +28,9 @@ class GrowingDeposit {
   const CriticalDiameter& critical() const { return critical_; }
   double first_permeability() const { return first_permeability_; }  ///< clean [m^2]
 
+  /// Whether it has clogged the pore, where the scene ends then.
+  bool ends_run(const Realisation& realisation) const;
+
   void save(Checkpoint& checkpoint) const;
   /// `state` as it was saved.  The deposit grows again as it did, so that everything
   /// built from it is the same to the bit; only the solves are left out.

@@ -56,6 +56,10 @@ Frame make_frame(const RunState& state, double radius) {
 
 }  // namespace
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 double next_output_time(const RunState& state, double duration) {
   return duration * static_cast<double>(state.next_output) / kOutputs;
 }
@@ -71,7 +75,7 @@ void record_end(RunState& state, const Scene& scene, const GrowingDeposit& depos
                 double permeability, int first_injected) {
   Realisation& r = state.realisation;
   r.duration = state.time;
-  if (scene.stop_when == StopWhen::clogged && !std::isnan(r.tc)) {
+  if (deposit.ends_run(r)) {
     r.ending = Ending::clogged;
   }
   if (r.series.empty() || r.series.back().time < state.time) {

@@ -2,6 +2,7 @@
 // which have come to rest.
 #pragma once
 
+#include <chrono>
 #include <functional>
 
 #include "particles/injection_sequence.h"
@@ -11,6 +12,8 @@
 #include "tiers/run_state.h"
 
 namespace colloid {
+
+double seconds_since(std::chrono::steady_clock::time_point start);
 
 /// Of the series and of the trajectories [s].
 double next_output_time(const RunState& state, double duration);

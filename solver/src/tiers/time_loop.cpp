@@ -21,10 +21,6 @@ constexpr double kThermalTravel = 0.1;  // per thermal step, over the radius or 
 constexpr long kPairsPerBody = 3;       // of normal draws: six numbers
 constexpr int kMostIdle = 100;          // steps of no length in a row
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 IntegratorOptions integrator_options(const Scene& scene, const LoopParts& parts) {
   IntegratorOptions options;
   options.radius = 0.5 * scene.colloids->diameter;
@@ -445,8 +441,7 @@ void TimeLoop::arrest(std::size_t index, std::size_t member) {
                                  parts_.contacts.colloid.pull_off};
   parts_.motion.deposit_grew(
       deposit_.add(describe_retention(context, body, member, held), state_.time, state_));
-  over_ = over_ ||
-          (scene_.stop_when == StopWhen::clogged && !std::isnan(state_.realisation.tc));
+  over_ = over_ || deposit_.ends_run(state_.realisation);
   integrator_.refresh(state_.bodies);
 }
 

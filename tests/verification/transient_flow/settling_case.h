@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "flow_scenes.h"
 
 namespace colloid {
@@ -62,6 +64,14 @@ inline Fall fall(const Experiment& e, int cells_per_diameter, double until_gap) 
   }
   out.last_gap = bodies[0].sphere.center.z - 0.5 * kDiameter;
   return out;
+}
+
+/// Within 3 % of the peak, straight down, without a rebound.
+inline void expect_fall(const Experiment& e, int cells_per_diameter) {
+  const Fall found = fall(e, cells_per_diameter, 0.05 * 0.015);
+  EXPECT_NEAR(found.peak / e.peak, 1.0, 0.03);
+  EXPECT_LT(found.drift, 1e-3 * 0.015);
+  EXPECT_EQ(found.rebound, 0.0);
 }
 
 }  // namespace colloid

@@ -7,10 +7,7 @@ namespace colloid {
 namespace {
 
 TEST(TransientSettling, ReachesThePeakSpeedOfTenCatesE4) {
-  const Fall found = fall(kFast, 8, 0.05 * 0.015);
-  EXPECT_NEAR(found.peak / kFast.peak, 1.0, 0.03);
-  EXPECT_LT(found.drift, 1e-3 * 0.015);
-  EXPECT_EQ(found.rebound, 0.0);
+  expect_fall(kFast, 8);
 }
 
 }  // namespace

@@ -29,10 +29,6 @@ constexpr double kSettlingStep = 0.1;  // over the viscous time of the narrowest
 // with added mass and history); narrow gaps need less still.
 constexpr double kExplicitLimit = 0.6;
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 double sphere_volume(double radius) {
   return 4.0 / 3.0 * kPi * radius * radius * radius;
 }
@@ -485,8 +481,7 @@ void TransientLoop::arrest(int id, double time) {
                         static_cast<std::ptrdiff_t>(place_of(member)));
   }
   deposit_.add(std::move(retained), time, state_);
-  over_ = over_ ||
-          (scene_.stop_when == StopWhen::clogged && !std::isnan(state_.realisation.tc));
+  over_ = over_ || deposit_.ends_run(state_.realisation);
 }
 
 void TransientLoop::handle_exits() {
