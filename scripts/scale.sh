@@ -32,12 +32,16 @@ ratio() { awk "BEGIN {printf \"$1\", $2}"; }
 measure() {
   python3 - "$@" <<'END'
 import resource, subprocess, sys, time
+def cpu(used):
+    return used.ru_utime + used.ru_stime
+# A python3 that is a script in front of the real one has children of its own before us.
+before = resource.getrusage(resource.RUSAGE_CHILDREN)
 begin = time.monotonic()
 with open("answer", "wb") as answer:
     subprocess.run(sys.argv[1:], stdout=answer, check=True)
 seconds = time.monotonic() - begin
 used = resource.getrusage(resource.RUSAGE_CHILDREN)
-print(f"{seconds:.2f} | {used.ru_utime + used.ru_stime:.2f} | {used.ru_maxrss / 1024:.0f}")
+print(f"{seconds:.2f} | {cpu(used) - cpu(before):.2f} | {used.ru_maxrss / 1024:.0f}")
 END
 }
 load=$(cut -d' ' -f1 /proc/loadavg)
