@@ -41,11 +41,11 @@ CASES = [
 COLUMNS = ["case", "angle_rad", "weight", "edge_um", "step_um", "runs", "cpu_seconds", "commit"]
 
 
-def start(solver, fidelity, x, y):
+def start(solver, fidelity, x, y, height):
     """Whether a colloid released at x, y [um] from the corner is captured; processor time."""
     base = json.loads((evidence.ROOT / "campaigns/throat.scene.json").read_text())
     far = WIDTH / 2 + HALF
-    centre = [f"{far - x:.6f} um", f"{far - y:.6f} um", f"{HEIGHT - DIAMETER / 2 - ROOM:.6f} um"]
+    centre = [f"{far - x:.6f} um", f"{far - y:.6f} um", f"{height:.6f} um"]
     base["geometry"]["bodies"] = [{"center": centre, "diameter": f"{DIAMETER} um"}]
     base["colloids"]["volume_fraction"] = 0
     base["duration"] = "20 s"
@@ -63,13 +63,13 @@ def start(solver, fidelity, x, y):
     return captured, result["solver"]["cpu_seconds"]
 
 
-def edge(solver, fidelity, angle, steps):
+def edge(solver, fidelity, angle, steps, height):
     """Where the ray leaves the captured part, by bisection [um]."""
     inside, outside, seconds = 0.0, REACH, 0.0
     for _ in range(steps):
         middle = 0.5 * (inside + outside)
         captured, cost = start(solver, fidelity, middle * math.cos(angle),
-                               middle * math.sin(angle))
+                               middle * math.sin(angle), height)
         seconds += cost
         inside, outside = (middle, outside) if captured else (inside, middle)
     return 0.5 * (inside + outside), outside - inside, seconds
@@ -133,6 +133,9 @@ def main():
     parser.add_argument("--steps", type=int, default=9, help="bisections a ray (default 9)")
     parser.add_argument("--cases", nargs="*", default=[name for name, _ in CASES],
                         help="names of cases (default: all)")
+    parser.add_argument("--height", type=float, default=HEIGHT - DIAMETER / 2 - ROOM,
+                        help="of the release [um] (default: touching the inlet); with another "
+                             "one give --output too, and read the edges, not the fraction")
     arguments = parser.parse_args()
     lines = evidence.provenance(arguments.solver)
     commit = lines[1]
@@ -144,7 +147,8 @@ def main():
             if name not in arguments.cases or any(r["case"] == name for r in rows):
                 continue
             angles = [0.25 * math.pi * node for node, _ in NODES]
-            found = pool.map(lambda a: edge(arguments.solver, fidelity, a, arguments.steps),
+            found = pool.map(lambda a: edge(arguments.solver, fidelity, a, arguments.steps,
+                                             arguments.height),
                              angles)
             for angle, (_, weight), (length, step, seconds) in zip(angles, NODES, found):
                 rows.append({"case": name, "angle_rad": angle,

@@ -35,7 +35,9 @@ def provenance(solver):
     that the load is that of other programs."""
     version = subprocess.run([str(solver), "--version"], capture_output=True, text=True,
                              check=True).stdout.strip()
-    command = shlex.join(["python3", "scripts/" + pathlib.Path(sys.argv[0]).name, *sys.argv[1:]])
+    # Not where things lie on this machine.
+    options = [pathlib.Path(a).name if a.startswith("/") else a for a in sys.argv[1:]]
+    command = shlex.join(["python3", "scripts/" + pathlib.Path(sys.argv[0]).name, *options])
     model = "unknown processor"
     for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
         if line.startswith("model name"):
@@ -51,6 +53,11 @@ def provenance(solver):
             f"- machine: {model}, {os.cpu_count()} cores, {memory:.0f} GiB; one thread used",
             f"- load before the run: {load:.2f} ({quiet})",
             f"- date: {date}"]
+
+
+def text(attribute):
+    """An attribute of a result file: fixed and variable strings alike."""
+    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
 
 
 def interval(values):

@@ -77,7 +77,7 @@ def load(folder, name):
     with h5py.File(folder / f"{name}.h5") as file:
         if int(file.attrs["complete"]) != 1:
             return None
-        out["commit"] = str(file["/provenance"].attrs["commit"])[:7]
+        out["commit"] = evidence.text(file["/provenance"].attrs["commit"])[:7]
         series = file["series"]
         out["width"] = [1e6 * series["critical_diameter_m"][i] for i in (0, -1)]
         out["permeability"] = [series["permeability_ratio"][i] for i in (0, -1)]

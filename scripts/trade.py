@@ -44,11 +44,6 @@ def run_missing(solver, folder, tier, cells, seed):
     path.with_name(path.name + ".json").write_text(done.stdout)
 
 
-def text(attribute):
-    """Fixed and variable strings alike."""
-    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
-
-
 def load(folder, tier, cells, seed):
     """What a realisation found, or None if it has not finished."""
     path = stem(folder, tier, cells, seed)
@@ -64,10 +59,10 @@ def load(folder, tier, cells, seed):
         scene = json.loads(file["/provenance/scene"][()])
         asked = (tier, float(cells), str(seed))
         found = (scene["fidelity"]["tier"], scene["fidelity"]["cells_per_colloid"],
-                 text(file.attrs["seed"]))
+                 evidence.text(file.attrs["seed"]))
         if asked != found:
             sys.exit(f"{result}: is {found}, expected {asked}")
-        out["commit"] = text(file["/provenance"].attrs["commit"])
+        out["commit"] = evidence.text(file["/provenance"].attrs["commit"])
         for key in ("t1_s", "tc_s", "alpha_deg"):
             out[key] = float(file.attrs[key])
         for key in ("injected", "retained", "traversed"):
