@@ -1,8 +1,10 @@
 #include "tiers/transient/foam_momentum.h"
 
-#include <array>
 #include <cmath>
+#include <memory>
+#include <vector>
 
+#include "tiers/transient/foam_vector_matrix.h"
 #include "tiers/transient/ranks.h"
 
 namespace colloid {
@@ -11,7 +13,7 @@ namespace {
 
 using Foam::label;
 using Foam::scalarField;
-using Components = std::array<scalarField, 3>;
+using Foam::vectorField;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -29,8 +31,7 @@ class MomentumSystem {
         entries_(entries),
         bodies_(bodies),
         interfaces_(field_.boundaryField().scalarInterfaces()),
-        boundary_coefficients_(matrix.boundaryCoeffs().component(0)),
-        internal_coefficients_(matrix.internalCoeffs().component(0)) {
+        boundary_coefficients_(matrix.boundaryCoeffs().component(0)) {
     weights_.reserve(entries.size());
     for (const ImmersedEntry& entry : entries) {
       weights_.push_back(entry.strength * mesh_.V()[entry.cell]);
@@ -39,21 +40,16 @@ class MomentumSystem {
     add_boundaries();
     add_entries();
     prepare_coarse();
-    Foam::dictionary controls = mesh_.solverDict("U");
-    solver_ = Foam::lduMatrix::solver::New("U", matrix_, boundary_coefficients_,
-                                           internal_coefficients_, interfaces_, controls);
-    preconditioner_ = Foam::lduMatrix::preconditioner::New(*solver_, controls);
+    links_ = std::make_unique<VectorMatrix>(matrix_, boundary_coefficients_, interfaces_);
   }
 
-  const Components& source() const { return source_; }
+  const vectorField& source() const { return source_; }
 
   // y = A x, the bodies eliminated.
-  void apply(const Components& x, Components& y) const {
-    for (Foam::direction c = 0; c < 3; ++c) {
-      matrix_.Amul(y[c], x[c], boundary_coefficients_, interfaces_, c);
-      if (!extra_diagonal_[c].empty()) {
-        y[c] += extra_diagonal_[c] * x[c];
-      }
+  void apply(const vectorField& x, vectorField& y) const {
+    links_->multiply(x, y);
+    forAll(extra_diagonal_, cell) {
+      y[cell] += Foam::cmptMultiply(extra_diagonal_[cell], x[cell]);
     }
     std::vector<Six> sums = moments(x);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -70,10 +66,8 @@ class MomentumSystem {
     }
   }
 
-  void precondition(const Components& r, Components& z) const {
-    for (Foam::direction c = 0; c < 3; ++c) {
-      preconditioner_->precondition(z[c], r[c], c);
-    }
+  void precondition(const vectorField& r, vectorField& z) const {
+    links_->precondition(r, z);
     std::vector<Six> sums(bodies_.size(), Six::Zero());
     for (const ImmersedEntry& entry : entries_) {
       if (entry.solid && bodies_[at(entry.body)].free) {
@@ -94,7 +88,7 @@ class MomentumSystem {
   }
 
   // The motions of free bodies that belong to u.
-  void find_motions(const Components& u) {
+  void find_motions(const vectorField& u) {
     const std::vector<Six> sums = moments(u);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       if (bodies_[b].free) {
@@ -103,36 +97,26 @@ class MomentumSystem {
     }
   }
 
-  Components start() const {
-    Components x;
-    for (Foam::direction c = 0; c < 3; ++c) {
-      x[c] = field_.primitiveField().component(c);
-    }
-    return x;
-  }
-  void finish(const Components& x) {
-    for (Foam::direction c = 0; c < 3; ++c) {
-      field_.primitiveFieldRef().replace(c, x[c]);
-    }
+  vectorField start() const { return field_.primitiveField(); }
+  void finish(const vectorField& x) {
+    field_.primitiveFieldRef() = x;
     field_.correctBoundaryConditions();
     matrix_.diag() = saved_diagonal_;
   }
 
  private:
-  static Vec3 value(const Components& x, int cell) {
-    return {x[0][cell], x[1][cell], x[2][cell]};
+  static Vec3 value(const vectorField& x, int cell) {
+    return {x[cell].x(), x[cell].y(), x[cell].z()};
   }
-  static void add(Components& x, int cell, const Vec3& v) {
-    x[0][cell] += v.x;
-    x[1][cell] += v.y;
-    x[2][cell] += v.z;
+  static void add(vectorField& x, int cell, const Vec3& v) {
+    x[cell] += Foam::vector(v.x, v.y, v.z);
   }
   static void sum(std::vector<Six>& values) {
     sum_over_ranks(values.empty() ? nullptr : values.front().data(), 6 * values.size());
   }
 
   // Per free body: sum of lambda V^T u.
-  std::vector<Six> moments(const Components& x) const {
+  std::vector<Six> moments(const vectorField& x) const {
     std::vector<Six> sums(bodies_.size(), Six::Zero());
     for (std::size_t e = 0; e < entries_.size(); ++e) {
       const ImmersedEntry& entry = entries_[e];
@@ -168,7 +152,7 @@ class MomentumSystem {
 
   void add_boundaries() {
     saved_diagonal_ = matrix_.diag();
-    Foam::vectorField source(matrix_.source());
+    source_ = matrix_.source();
     scalarField& diagonal = matrix_.diag();
     forAll(field_.boundaryField(), patch) {
       const Foam::labelUList& cells = mesh_.lduAddr().patchAddr(patch);
@@ -179,19 +163,16 @@ class MomentumSystem {
         for (Foam::direction c = 1; c < 3; ++c) {
           const double more = internal[i][c] - internal[i].x();
           if (more != 0.0) {
-            if (extra_diagonal_[c].empty()) {
-              extra_diagonal_[c] = scalarField(diagonal.size(), 0.0);
+            if (extra_diagonal_.empty()) {
+              extra_diagonal_ = vectorField(diagonal.size(), Foam::Zero);
             }
-            extra_diagonal_[c][cells[i]] += more;
+            extra_diagonal_[cells[i]][c] += more;
           }
         }
         if (!coupled) {
-          source[cells[i]] += matrix_.boundaryCoeffs()[patch][i];
+          source_[cells[i]] += matrix_.boundaryCoeffs()[patch][i];
         }
       }
-    }
-    for (Foam::direction c = 0; c < 3; ++c) {
-      source_[c] = source.component(c);
     }
   }
 
@@ -260,34 +241,28 @@ class MomentumSystem {
   std::vector<MomentumBody>& bodies_;
   Foam::lduInterfaceFieldPtrsList interfaces_;
   Foam::FieldField<Foam::Field, Foam::scalar> boundary_coefficients_;
-  Foam::FieldField<Foam::Field, Foam::scalar> internal_coefficients_;
   std::vector<double> weights_;    // lambda times volume, per entry
   std::vector<SixBySix> inverse_;  // of inertia + sum of lambda V^T V, per free body
   std::vector<Coarse> coarse_;
-  Components source_;
-  std::array<scalarField, 3> extra_diagonal_;  // of components y, z beyond that of x
+  vectorField source_;
+  vectorField extra_diagonal_;  // of components y, z beyond that of x; empty: none
   scalarField saved_diagonal_;
-  Foam::autoPtr<Foam::lduMatrix::solver> solver_;
-  Foam::autoPtr<Foam::lduMatrix::preconditioner> preconditioner_;
+  std::unique_ptr<VectorMatrix> links_;
 };
 
-double product(const Components& x, const Components& y) {
-  double sum = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    sum += Foam::sumProd(x[c], y[c]);
+double product(const vectorField& x, const vectorField& y) {
+  Foam::vector sums = Foam::Zero;
+  forAll(x, cell) {
+    sums += Foam::cmptMultiply(x[cell], y[cell]);
   }
+  double sum = sums.x() + sums.y() + sums.z();
   sum_over_ranks(&sum, 1);
   return sum;
 }
 
-void add_scaled(Components& y, double s, const Components& x) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    double* const to = y[c].begin();
-    const double* const from = x[c].begin();
-    const label n = y[c].size();
-    for (label i = 0; i < n; ++i) {
-      to[i] += s * from[i];
-    }
+void add_scaled(vectorField& y, double s, const vectorField& x) {
+  forAll(y, cell) {
+    y[cell] += s * x[cell];
   }
 }
 
@@ -298,23 +273,23 @@ SolveReport solve_momentum(Foam::fvVectorMatrix& matrix,
                            std::vector<MomentumBody>& bodies, double tolerance,
                            int most_iterations) {
   MomentumSystem system(matrix, entries, bodies);
-  Components x = system.start();
-  Components r = x;
+  vectorField x = system.start();
+  vectorField r = x;
   system.apply(x, r);
-  for (std::size_t c = 0; c < 3; ++c) {
-    r[c] = system.source()[c] - r[c];
+  forAll(r, cell) {
+    r[cell] = system.source()[cell] - r[cell];
   }
   SolveReport report;
   report.initial = std::sqrt(product(r, r));
   report.final = report.initial;
   const double scale = std::sqrt(product(system.source(), system.source()));
   const double target = std::max(tolerance * report.initial, 1e-12 * scale);
-  const Components shadow = r;
-  Components p = r;
-  Components v = r;
-  Components s = r;
-  Components t = r;
-  Components z = r;
+  const vectorField shadow = r;
+  vectorField p = r;
+  vectorField v = r;
+  vectorField s = r;
+  vectorField t = r;
+  vectorField z = r;
   double rho = product(shadow, r);
   while (report.final > target && report.iterations < most_iterations) {
     ++report.iterations;
@@ -334,9 +309,8 @@ SolveReport solve_momentum(Foam::fvVectorMatrix& matrix,
     const double next = product(shadow, r);
     const double beta = next / rho * (alpha / omega);
     rho = next;
-    // p = r + beta (p - omega v)
-    for (std::size_t c = 0; c < 3; ++c) {
-      p[c] = r[c] + beta * (p[c] - omega * v[c]);
+    forAll(p, cell) {
+      p[cell] = r[cell] + beta * (p[cell] - omega * v[cell]);
     }
     if (!std::isfinite(report.final)) {
       break;
