@@ -159,6 +159,15 @@ TEST(RestrictedMean, EarlyLeaversDoNotSharpenTheBound) {
   EXPECT_NEAR(found.interval->low, 5.0 * std::pow(kNone, 1.0 / 8.0), 1e-12);
 }
 
+// "No event by tau" would be false, and its bound with it.
+TEST(RestrictedMean, AnEventAtTauItselfIsAnEvent) {
+  const RestrictedMean found =
+      restricted_mean(kaplan_meier({{5, true}, {6, false}, {6, false}}, 0.95), 5.0);
+  EXPECT_DOUBLE_EQ(*found.mean, 5.0);
+  EXPECT_FALSE(found.interval);
+  EXPECT_FALSE(found.note.empty());
+}
+
 TEST(RestrictedMean, IsUnknownBeyondTheLastFollowed) {
   const RestrictedMean found =
       restricted_mean(kaplan_meier({{1, true}, {2, false}}, 0.95), 5.0);
