@@ -21,13 +21,18 @@ def add_common_options(parser, folder):
                         help="folder to write into (default: results/evidence/%s)" % folder)
 
 
-def measure(solver, scene, *options):
-    """The JSON object that `poreclog-solve measure` prints."""
-    command = [str(solver), "measure", str(scene), *map(str, options)]
-    done = subprocess.run(command, capture_output=True, text=True)
+def finished(command, **options):
+    """What `command` printed (`.stdout`, `.stderr`); ends this script if it fails."""
+    command = [str(word) for word in command]
+    done = subprocess.run(command, capture_output=True, text=True, **options)
     if done.returncode != 0:
         sys.exit(f"{shlex.join(command)}\nended with {done.returncode}: {done.stderr.strip()}")
-    return json.loads(done.stdout)
+    return done
+
+
+def measure(solver, scene, *options):
+    """The JSON object that `poreclog-solve measure` prints."""
+    return json.loads(finished([solver, "measure", scene, *options]).stdout)
 
 
 def provenance(solver):

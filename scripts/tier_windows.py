@@ -14,8 +14,6 @@ import argparse
 import csv
 import json
 import pathlib
-import subprocess
-import sys
 
 import h5py
 import numpy
@@ -55,12 +53,9 @@ def run_missing(options, name):
     solver = options.solver
     if fidelity["tier"] == "transient":
         solver = solver.with_name("poreclog-solve-transient")
-    command = ["/usr/bin/time", "-f", "%M", "-o", f"{path}.memory", str(solver), "run",
-               f"{path}.scene.json", "--seed", str(SEED), "-o", f"{path}.h5", "--checkpoint",
-               f"{path}.ckpt", "--json"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}\nended with {done.returncode}: {done.stderr.strip()}")
+    done = evidence.finished(["/usr/bin/time", "-f", "%M", "-o", f"{path}.memory", solver, "run",
+                              f"{path}.scene.json", "--seed", SEED, "-o", f"{path}.h5",
+                              "--checkpoint", f"{path}.ckpt", "--json"])
     path.with_suffix(".json").write_text(done.stdout)
 
 
@@ -131,11 +126,9 @@ def extrapolated(found, tier):
 
 
 def markdown(found):
-    def table(columns, rows):
-        return ["| " + " | ".join(name for name, _ in columns) + " |", "|---" * len(columns) + "|",
-                *("| " + " | ".join(format(row[name], spec) for name, spec in columns) + " |"
-                  for row in rows)]
-    lines = [*table(COLUMNS, rows_of(found)), ""]
+    lines = ["| " + " | ".join(name for name, _ in COLUMNS) + " |", "|---" * len(COLUMNS) + "|",
+             *("| " + " | ".join(format(row[name], spec) for name, spec in COLUMNS) + " |"
+               for row in rows_of(found)), ""]
     for tier in ("one_way", "quasi_steady", "transient"):
         if hours := extrapolated(found, tier):
             lines.append(f"- {tier}: 5 s extrapolated to {hours[0]:.3g} +- {hours[1]:.2g} core-hours "

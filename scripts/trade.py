@@ -11,7 +11,6 @@ import argparse
 import json
 import math
 import pathlib
-import subprocess
 import sys
 
 import h5py
@@ -36,11 +35,8 @@ def run_missing(solver, folder, tier, cells, seed):
     path = stem(folder, tier, cells, seed)
     scene = folder / f"{tier}-{cells}.scene.json"
     scene.write_text(json.dumps(base, indent=1))
-    command = [str(solver), "run", str(scene), "--seed", str(seed), "-o", f"{path}.h5",
-               "--checkpoint", f"{path}.ckpt", "--json"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}\nended with {done.returncode}: {done.stderr.strip()}")
+    done = evidence.finished([solver, "run", scene, "--seed", seed, "-o", f"{path}.h5",
+                              "--checkpoint", f"{path}.ckpt", "--json"])
     path.with_name(path.name + ".json").write_text(done.stdout)
 
 

@@ -15,7 +15,6 @@ import os
 import pathlib
 import statistics
 import subprocess
-import sys
 import tempfile
 import time
 
@@ -33,11 +32,9 @@ def run(solver, scene, ranks, folder, preload=None):
     if preload:
         environment["LD_PRELOAD"] = str(preload)
         launch += ["-x", "LD_PRELOAD"]
-    command = [*launch, str(solver), "run", str(scene), "-o", str(folder / "r.h5"), "--json"]
     begin = time.monotonic()
-    done = subprocess.run(command, capture_output=True, text=True, env=environment)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}\nended with {done.returncode}: {done.stderr.strip()}")
+    done = evidence.finished([*launch, solver, "run", scene, "-o", folder / "r.h5", "--json"],
+                             env=environment)
     return time.monotonic() - begin, json.loads(done.stdout), done.stderr
 
 
