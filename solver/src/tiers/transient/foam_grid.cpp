@@ -58,7 +58,6 @@ solvers
     }
     tolerance 1e-14; relTol 1e-3; maxIter 200;
   }
-  U { solver PBiCGStab; preconditioner DILU; tolerance 0; relTol 0.1; }
 }
 )";
 
