@@ -132,15 +132,21 @@ class Statistics(unittest.TestCase):
             self.poreclog("cancel", "c", "--now", code=None)
             running.wait(timeout=60)
 
+    def standing(self):
+        """Index, seed and status of each realisation; none while the database is made."""
+        try:
+            with sqlite3.connect(f"file:{self.folder}/db?mode=ro", uri=True) as database:
+                return database.execute(
+                    "SELECT idx, seed, status FROM v_realisation").fetchall()
+        except sqlite3.OperationalError:
+            return []
+
     def wait_for_the_others(self):
         """Indices of the realisations that hang, once all others are ingested."""
         end = time.monotonic() + 60
         while time.monotonic() < end:
             time.sleep(0.2)
-            if not (self.folder / "db").exists():
-                continue
-            with sqlite3.connect(self.folder / "db") as database:
-                rows = database.execute("SELECT idx, seed, status FROM v_realisation").fetchall()
+            rows = self.standing()
             if all((status == "active") == (int(seed) % 3 == 0) for _, seed, status in rows):
                 hung = sorted(i for i, _, status in rows if status == "active")
                 if rows and hung:
