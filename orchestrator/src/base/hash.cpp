@@ -1,6 +1,7 @@
 #include "base/hash.h"
 
 #include <array>
+#include <memory>
 #include <stdexcept>
 
 #include <openssl/evp.h>
@@ -8,10 +9,16 @@
 namespace colloid {
 
 std::string sha256(std::string_view bytes) {
+  // Looked up once: EVP_Digest() looks the algorithm up at each call, which for a short
+  // text costs more than the hash.
+  static EVP_MD* const algorithm = EVP_MD_fetch(nullptr, "SHA256", nullptr);
+  thread_local const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(
+      EVP_MD_CTX_new(), &EVP_MD_CTX_free);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned length = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(),
-                 nullptr) != 1) {
+  if (algorithm == nullptr || EVP_DigestInit_ex(context.get(), algorithm, nullptr) != 1 ||
+      EVP_DigestUpdate(context.get(), bytes.data(), bytes.size()) != 1 ||
+      EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1) {
     throw std::runtime_error("libcrypto could not compute SHA-256");
   }
   constexpr std::string_view kDigits = "0123456789abcdef";
