@@ -26,7 +26,7 @@ ORCHESTRATOR = {
     "base": [],
     "campaign": ["base"],
     "store": ["base", "campaign"],
-    "execute": ["base", "campaign"],
+    "execute": ["attempt", "base", "campaign"],
     "ingest": ["base", "campaign", "store"],
     "attempt": [],
     "statistics": [],

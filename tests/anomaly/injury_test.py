@@ -83,7 +83,7 @@ class Solver(orchestrator.Bench):
                 self.database = self.folder / (fault + ".sqlite")
                 self.runs = self.folder / fault
                 campaign = self.write(realisations=2, limits={
-                    "seconds_per_realisation": 0.5, "seconds_to_stop": 0.5})
+                    "seconds_per_realisation": 1.0, "seconds_to_stop": 0.5})
                 begin = time.monotonic()
                 self.poreclog("run", campaign, FAULT=fault, ATTEMPTS=1)
                 self.assertLess(time.monotonic() - begin, 15)

@@ -1,244 +1,102 @@
-// poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP [JOB] -- COMMAND...: keeps one attempt.
+// poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP --job JOB -- COMMAND...
+// poreclog-attempt --serve
 //
-// It lies between the orchestrator (or a cluster's scheduler) and the solver, so that
-// what must not die with the orchestrator does not: the time limit, the record of how the
-// solver ended, and the sign that it still runs.
-//   - It holds the lock of FOLDER/lock, and the solver inherits it: held means alive.
-//   - Output goes to FOLDER/stdout and FOLDER/stderr; FOLDER is the working directory.
-//   - After SECONDS, or on SIGTERM or SIGINT, the solver gets SIGTERM, SECONDS_TO_STOP
-//     later SIGKILL; on SIGQUIT it gets SIGKILL at once.  Times are of the monotonic
-//     clock.
-//   - If this program is killed, the kernel kills the solver: nothing runs unwatched.
-//   - FOLDER/ending.json says how it ended; it is whole or absent.
-//   - With JOB, the name of a cluster's job, an attempt begins once: who makes the file
-//     FOLDER/lock has it, on whatever machine, also where a file system has no locks.
-// It always ends with 0 unless it could not do this.  Without the C++ library's iostream
-// and without libraries, because it is started once per attempt.
-#include <array>
+// Keeps attempts (attempt/keep.h): one, for a cluster's job, or one after another for an
+// executor on this machine (attempt/protocol.h).  Without the C++ library's iostream and
+// without libraries, because a cluster's job starts it once per attempt.
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
+#include <vector>
 
 #include <fcntl.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
+
+#include "attempt/keep.h"
+#include "attempt/protocol.h"
 
 namespace {
 
-constexpr int kNotStarted = 127;  // as a shell says it
+constexpr std::size_t kFolder = 0;
+constexpr std::size_t kSeconds = 1;
+constexpr std::size_t kSecondsToStop = 2;
+constexpr std::size_t kLine = 3;
+constexpr std::size_t kCommand = 4;
 
-struct Ending {
-  int status = 0;
-  rusage usage{};
-  double seconds = 0.0;
-  const char* stopped = nullptr;  ///< time_limit or asked
-  long out_of_memory = 0;         ///< kills for want of memory meanwhile, on this machine
-};
-
-timespec now(clockid_t clock) {
-  timespec t{};
-  ::clock_gettime(clock, &t);
-  return t;
-}
-
-double seconds_since(const timespec& start) {
-  const timespec t = now(CLOCK_MONOTONIC);
-  return static_cast<double>(t.tv_sec - start.tv_sec) +
-         1e-9 * static_cast<double>(t.tv_nsec - start.tv_nsec);
-}
-
-void print_utc(std::FILE* file, const char* key, const timespec& t) {
-  std::tm parts{};
-  ::gmtime_r(&t.tv_sec, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &parts);
-  std::fprintf(file, "\"%s\": \"%s.%03ldZ\", ", key, text.data(), t.tv_nsec / 1000000);
-}
-
-/// The kernel's count of processes killed for want of memory; 0 if it does not say.
-long kills_for_memory() {
-  std::FILE* file = std::fopen("/proc/vmstat", "re");
-  long count = 0;
-  if (file != nullptr) {
-    std::array<char, 128> line{};
-    while (std::fgets(line.data(), static_cast<int>(line.size()), file) != nullptr) {
-      if (std::strncmp(line.data(), "oom_kill ", 9) == 0) {
-        count = std::strtol(line.data() + 9, nullptr, 10);
-      }
+bool read_all(void* to, std::size_t size) {
+  char* at = static_cast<char*>(to);
+  while (size > 0) {
+    const ssize_t count = ::read(colloid::kAttempts, at, size);
+    if (count <= 0) {
+      return false;
     }
-    std::fclose(file);
+    at += count;
+    size -= static_cast<std::size_t>(count);
   }
-  return count;
+  return true;
 }
 
-/// Takes the lock; false if another has it, or if this attempt has been given up: who
-/// takes an attempt for lost holds the lock while it writes an ending, or has made its
-/// file.
-bool hold_lock(const char* job) {
-  const int once = job == nullptr ? 0 : O_EXCL;
-  const int descriptor =
-      ::open("lock", O_RDWR | O_CREAT | once, 0644);  // inherited on purpose
-  if (descriptor < 0) {
-    return false;
+/// The words of `text`, and a null after the last.
+std::vector<char*> words_of(std::vector<char>& text) {
+  std::vector<char*> words;
+  for (std::size_t at = 0; at < text.size(); at += std::strlen(&text[at]) + 1) {
+    words.push_back(&text[at]);
   }
-  struct flock request {};
-  request.l_type = F_WRLCK;
-  request.l_whence = SEEK_SET;
-  if (::fcntl(descriptor, F_OFD_SETLK, &request) != 0 && job == nullptr) {
-    return false;
-  }
-  if (::access("ending.json", F_OK) == 0) {
-    errno = EEXIST;
-    return false;
-  }
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  return ::dprintf(descriptor, "%d %s%s%s\n", static_cast<int>(::getpid()), host.data(),
-                   job == nullptr ? "" : " ", job == nullptr ? "" : job) > 0;
+  words.push_back(nullptr);
+  return words;
 }
 
-void redirect(const char* path, int to) {
-  const int descriptor = ::open(path, O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  if (descriptor >= 0) {
-    ::dup2(descriptor, to);
-    ::close(descriptor);
-  }
-}
-
-[[noreturn]] void become(char** command, const sigset_t& signals) {
-  // The solver dies with its keeper; a keeper that died before this line is not missed.
-  const pid_t keeper = ::getppid();
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != keeper || keeper == 1) {
-    ::_exit(kNotStarted);
-  }
-  ::setpgid(0, 0);
-  ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-  ::execvp(command[0], command);
-  std::fprintf(stderr, "cannot be started: %s: %s\n", command[0], std::strerror(errno));
-  ::_exit(kNotStarted);
-}
-
-/// Waits for the solver, stopping it when it must.
-Ending keep(pid_t solver, const sigset_t& signals, double limit, double grace) {
-  const timespec start = now(CLOCK_MONOTONIC);
-  Ending ending;
-  double deadline = limit;
-  bool term_sent = false;
-  while (::wait4(solver, &ending.status, WNOHANG, &ending.usage) != solver) {
-    const double left = deadline - seconds_since(start);
-    if (left <= 0.0) {
-      ::kill(-solver, term_sent ? SIGKILL : SIGTERM);
-      ending.stopped = ending.stopped == nullptr ? "time_limit" : ending.stopped;
-      deadline = seconds_since(start) + (term_sent ? 1.0 : grace);
-      term_sent = true;
-      continue;
+int serve() {
+  // The solvers have no part in this; and whoever asked may be gone when one has ended.
+  ::fcntl(colloid::kAttempts, F_SETFD, FD_CLOEXEC);
+  ::fcntl(colloid::kEndings, F_SETFD, FD_CLOEXEC);
+  ::signal(SIGPIPE, SIG_IGN);
+  std::uint32_t size = 0;
+  while (read_all(&size, sizeof size)) {
+    std::vector<char> text(size);
+    if (!read_all(text.data(), size) || size == 0 || text.back() != '\0') {
+      return colloid::kNotKept;
     }
-    timespec wait{};
-    wait.tv_sec = static_cast<time_t>(left);
-    wait.tv_nsec = static_cast<long>((left - static_cast<double>(wait.tv_sec)) * 1e9);
-    const int signal = ::sigtimedwait(&signals, nullptr, &wait);
-    if (signal == SIGTERM || signal == SIGINT) {
-      ending.stopped = ending.stopped == nullptr ? "asked" : ending.stopped;
-      deadline = term_sent ? deadline : seconds_since(start);
-    } else if (signal == SIGQUIT) {
-      ending.stopped = ending.stopped == nullptr ? "asked" : ending.stopped;
-      ::kill(-solver, SIGKILL);
+    const std::vector<char*> words = words_of(text);
+    if (words.size() <= kCommand + 1) {
+      return colloid::kNotKept;
+    }
+    colloid::Attempt attempt;
+    attempt.folder = words[kFolder];
+    attempt.seconds = std::strtod(words[kSeconds], nullptr);
+    attempt.seconds_to_stop = std::strtod(words[kSecondsToStop], nullptr);
+    attempt.line = words[kLine];
+    attempt.command = words.data() + kCommand;
+    const std::int32_t ending = colloid::keep(attempt);
+    if (::write(colloid::kEndings, &ending, sizeof ending) !=
+        static_cast<ssize_t>(sizeof ending)) {
+      break;
     }
   }
-  ::kill(-solver, SIGKILL);  // what it may have left running
-  // A scheduler tells the solver and us at once: it may have been the quicker.
-  const timespec no_time{};
-  for (int signal = 0; signal >= 0 && ending.stopped == nullptr;) {
-    signal = ::sigtimedwait(&signals, nullptr, &no_time);
-    if (signal == SIGTERM || signal == SIGINT || signal == SIGQUIT) {
-      ending.stopped = "asked";
-    }
-  }
-  ending.seconds = seconds_since(start);
-  return ending;
-}
-
-double cpu_seconds(const rusage& usage) {
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-bool write_ending(const Ending& ending, const timespec& started) {
-  std::FILE* file = std::fopen("ending.json.part", "we");
-  if (file == nullptr) {
-    return false;
-  }
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  std::fprintf(file, "{\"schema_version\": 1, ");
-  print_utc(file, "started", started);
-  print_utc(file, "ended", now(CLOCK_REALTIME));
-  if (WIFEXITED(ending.status)) {
-    std::fprintf(file, "\"exit_code\": %d, \"signal\": null, ",
-                 WEXITSTATUS(ending.status));
-  } else {
-    std::fprintf(file, "\"exit_code\": null, \"signal\": %d, ", WTERMSIG(ending.status));
-  }
-  std::fprintf(file, "\"stopped\": %s%s%s, \"out_of_memory\": %s, ",
-               ending.stopped == nullptr ? "" : "\"",
-               ending.stopped == nullptr ? "null" : ending.stopped,
-               ending.stopped == nullptr ? "" : "\"",
-               ending.out_of_memory > 0 ? "true" : "false");
-  std::fprintf(
-      file, "\"wall_s\": %.6f, \"cpu_s\": %.6f, \"memory_kB\": %ld, \"node\": \"%s\"}\n",
-      ending.seconds, cpu_seconds(ending.usage), ending.usage.ru_maxrss, host.data());
-  const bool written = std::ferror(file) == 0;
-  return std::fclose(file) == 0 && written &&
-         std::rename("ending.json.part", "ending.json") == 0;
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool in_job = argc > 5 && std::strcmp(argv[5], "--") == 0;
-  const int dashes = in_job ? 5 : 4;
-  if (argc < dashes + 2 || std::strcmp(argv[dashes], "--") != 0) {
+  colloid::block_signals();
+  if (argc == 2 && std::strcmp(argv[1], "--serve") == 0) {
+    return serve();
+  }
+  if (argc < 8 || std::strcmp(argv[4], "--job") != 0 || std::strcmp(argv[6], "--") != 0) {
     std::fprintf(stderr,
-                 "usage: poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP [JOB] -- "
-                 "COMMAND...\n");
-    return 1;
+                 "usage: poreclog-attempt FOLDER SECONDS SECONDS_TO_STOP --job JOB -- "
+                 "COMMAND...\n       poreclog-attempt --serve\n");
+    return colloid::kNotKept;
   }
-  sigset_t signals{};
-  ::sigemptyset(&signals);
-  for (const int signal : {SIGCHLD, SIGTERM, SIGINT, SIGQUIT, SIGHUP}) {
-    ::sigaddset(&signals, signal);
-  }
-  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  if (::chdir(argv[1]) != 0 || !hold_lock(in_job ? argv[4] : nullptr)) {
-    std::fprintf(stderr, "poreclog-attempt: %s: cannot be used: %s\n", argv[1],
-                 std::strerror(errno));
-    return 1;
-  }
-  redirect("stdout", STDOUT_FILENO);
-  redirect("stderr", STDERR_FILENO);
-  const timespec started = now(CLOCK_REALTIME);
-  const long kills_before = kills_for_memory();
-  const pid_t solver = ::fork();
-  if (solver == 0) {
-    become(argv + dashes + 1, signals);
-  }
-  if (solver < 0) {
-    std::fprintf(stderr, "cannot be started: %s\n", std::strerror(errno));
-    return 1;
-  }
-  ::setpgid(solver, solver);  // here too: the solver may not have come to it yet
-  Ending ending =
-      keep(solver, signals, std::strtod(argv[2], nullptr), std::strtod(argv[3], nullptr));
-  ending.out_of_memory = WIFSIGNALED(ending.status) && WTERMSIG(ending.status) == SIGKILL
-                             ? kills_for_memory() - kills_before
-                             : 0;
-  return write_ending(ending, started) ? 0 : 1;
+  colloid::Attempt attempt;
+  attempt.folder = argv[1];
+  attempt.seconds = std::strtod(argv[2], nullptr);
+  attempt.seconds_to_stop = std::strtod(argv[3], nullptr);
+  attempt.job = argv[5];
+  attempt.command = argv + 7;
+  return colloid::keep(attempt);
 }

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kTogether = 100;  // results
 constexpr double kLongestLag = 1.0;     // [s] of the database
+constexpr std::size_t kAhead = 64;      // attempts
 
 long& of(std::array<long, 5>& counts, Status status) {
   return counts.at(static_cast<std::size_t>(status));
@@ -94,19 +95,26 @@ void CampaignRun::adopt(const std::vector<AttemptOf>& running) {
     const std::string folder =
         attempt_folder(folder_.realisation(plan_, attempt.item), attempt.number);
     const std::int64_t id = ++last_id_;
-    active_[id] = attempt;
-    if (!executor_.adopt({id, folder, {}, 0.0, 0.0})) {
+    active_[id] = {attempt, folder, ""};
+    if (!executor_.adopt({id, folder, {}, "", 0.0, 0.0})) {
       note_end(id);  // it has ended since
     }
   }
 }
 
 void CampaignRun::start() {
-  Item item;
+  Prepared next;
   while (stops_ == 0) {
     std::vector<Job> jobs;
-    for (std::size_t free = executor_.free_slots(); jobs.size() < free && next(item);) {
-      jobs.push_back(prepare(item));
+    for (std::size_t free = executor_.free_slots(); jobs.size() < free && take(next);) {
+      if (begun_.empty() && ended_.empty()) {
+        first_change_ = monotonic_seconds();
+      }
+      next.job.id = ++last_id_;
+      next.record.started = utc_now();
+      active_[last_id_] = {next.attempt, next.job.folder, next.record.command};
+      begun_[last_id_] = std::move(next.record);
+      jobs.push_back(std::move(next.job));
     }
     if (jobs.empty()) {
       return;
@@ -119,11 +127,9 @@ void CampaignRun::note_end(std::int64_t id) {
   if (begun_.empty() && ended_.empty()) {
     first_change_ = monotonic_seconds();
   }
-  const AttemptOf& attempt = active_.at(id);
-  const std::string folder =
-      attempt_folder(folder_.realisation(plan_, attempt.item), attempt.number);
-  one_failed_ = one_failed_ || !is_file(folder + "/result.h5");
-  ended_.push_back(attempt);
+  Active& ended = active_.at(id);
+  one_failed_ = one_failed_ || !is_file(ended.folder + "/result.h5");
+  ended_.push_back(std::move(ended));
   active_.erase(id);
   begun_.erase(id);
 }
@@ -141,14 +147,14 @@ bool CampaignRun::is_record_due() const {
 void CampaignRun::record() {
   Batch batch(store_);
   std::size_t count = 0;
-  for (const AttemptOf& attempt : ended_) {
-    settle(attempt);
+  for (const Active& ended : ended_) {
+    settle(ended);
     if (++count % kTogether == 0) {
       batch.commit();  // other campaigns need not wait for thousands
     }
   }
   for (const auto& [id, attempt] : begun_) {
-    const Item& item = active_.at(id).item;
+    const Item& item = active_.at(id).attempt.item;
     --of(counts_, store_.status(item));
     store_.begin_attempt(item, attempt);
     ++of(counts_, Status::active);
@@ -158,20 +164,47 @@ void CampaignRun::record() {
   begun_.clear();
   one_failed_ = false;
   look();
+  prepare_ahead();
 }
 
 void CampaignRun::look() {
   if (const auto first = target_.look(store_.database())) {
-    cursor_ = {0, std::min(cursor_.index, *first)};
+    const int after = ready_.empty() ? cursor_.index : ready_.front().attempt.item.index;
+    ready_.clear();
+    cursor_ = {0, std::min(after, *first)};
   }
 }
 
-bool CampaignRun::next(Item& item) {
+bool CampaignRun::take(Prepared& prepared) {
   if (!retries_.empty()) {
-    item = retries_.front();
+    prepared = prepare(retries_.front());
     retries_.pop_front();
     return true;
   }
+  if (ready_.empty()) {
+    prepare_ahead();
+  }
+  if (ready_.empty()) {
+    return false;
+  }
+  prepared = std::move(ready_.front());
+  ready_.pop_front();
+  return true;
+}
+
+void CampaignRun::prepare_ahead() {
+  for (Item item; ready_.size() < kAhead && next(item);) {
+    ready_.push_back(prepare(item));
+  }
+}
+
+bool CampaignRun::is_to_be_retried(const Item& item) const {
+  return std::any_of(retries_.begin(), retries_.end(), [&](const Item& other) {
+    return other.ensemble == item.ensemble && other.index == item.index;
+  });
+}
+
+bool CampaignRun::next(Item& item) {
   while (cursor_.index < plan_.realisations) {
     item = cursor_;
     if (++cursor_.ensemble == plan_.ensembles.size()) {
@@ -179,24 +212,17 @@ bool CampaignRun::next(Item& item) {
       ++cursor_.index;
     }
     if (item.index < target_.wanted(item.ensemble) &&
-        store_.status(item) == Status::eligible) {
+        store_.status(item) == Status::eligible && !is_to_be_retried(item)) {
       return true;
     }
   }
   return false;
 }
 
-Job CampaignRun::prepare(const Item& item) {
+CampaignRun::Prepared CampaignRun::prepare(const Item& item) {
   const std::string realisation = folder_.realisation(plan_, item);
-  const bool is_first = claim_folder(realisation);
-  const std::vector<int> before =
-      is_first ? std::vector<int>{} : attempts_in(realisation);
-  AttemptRecord attempt;
-  attempt.number = before.empty() ? 1 : before.back() + 1;
-  const std::string folder = attempt_folder(realisation, attempt.number);
-  if (!claim_folder(folder)) {
-    throw StorageError(folder + ": somebody else has begun this attempt");
-  }
+  const std::vector<int> before = attempts_in(realisation);
+  const int number = before.empty() ? 1 : before.back() + 1;
   std::vector<std::string> words = solver_.run_command(
       plan_, item, folder_.scene_file(plan_.ensembles[item.ensemble]), "result.h5");
   words.insert(words.end(), {"--checkpoint", realisation + "/checkpoint.h5"});
@@ -204,26 +230,26 @@ Job CampaignRun::prepare(const Item& item) {
     words.insert(words.end(),
                  {"--checkpoint-interval", plan_.limits.checkpoint_interval});
   }
-  attempt.command = command_line(words);
-  attempt.started = utc_now();
-  attempt.node = host_name();
-  write_new(folder + "/command", attempt.command + "\n");
-  if (begun_.empty() && ended_.empty()) {
-    first_change_ = monotonic_seconds();
-  }
-  const std::int64_t id = ++last_id_;
-  active_[id] = {item, attempt.number};
-  begun_[id] = std::move(attempt);
-  return {id, folder, std::move(words), plan_.limits.seconds_per_realisation,
-          plan_.limits.seconds_to_stop};
+  AttemptRecord record;
+  record.number = number;
+  record.command = command_line(words);
+  record.node = host_name();
+  Job job;
+  job.folder = attempt_folder(realisation, number);
+  job.command = std::move(words);
+  job.command_line = record.command;
+  job.seconds = plan_.limits.seconds_per_realisation;
+  job.seconds_to_stop = plan_.limits.seconds_to_stop;
+  return {{item, number}, std::move(record), std::move(job)};
 }
 
-void CampaignRun::settle(const AttemptOf& ended) {
-  --of(counts_, store_.status(ended.item));
-  const Settled settled = ingester_.settle(ended.item, ended.number);
+void CampaignRun::settle(const Active& ended) {
+  const auto [item, number] = ended.attempt;
+  --of(counts_, store_.status(item));
+  const Settled settled = ingester_.settle(item, number, ended.command);
   ++of(counts_, settled.status);
   if (settled.status == Status::eligible) {
-    retries_.push_back(ended.item);
+    retries_.push_back(item);
   }
   if (settled.cause == Cause::not_started && stops_ == 0) {
     stops_ = 1;

@@ -43,22 +43,40 @@ class CampaignRun {
   const std::string& why_stopped() const { return why_stopped_; }
 
  private:
-  /// The next realisation to start: retries first, then by index, so that all design
-  /// points advance together and what is finished is a prefix of every ensemble.
+  struct Active {
+    AttemptOf attempt;
+    std::string folder;
+    std::string command;  ///< empty if an earlier process began it
+  };
+
+  struct Prepared {
+    AttemptOf attempt;
+    AttemptRecord record;
+    Job job;
+  };
+
+  /// The next realisation to start, by index, so that all design points advance together
+  /// and what is finished is a prefix of every ensemble.
   bool next(Item& item);
+  bool is_to_be_retried(const Item& item) const;
   /// Takes over what an earlier process left behind.
   void begin();
   /// Starts what there is room for.
   void start();
-  /// Claims the folder of a realisation's next attempt and describes its job.
-  Job prepare(const Item& item);
+  /// What is to be started next; false if there is nothing.
+  bool take(Prepared& prepared);
+  /// A realisation's next attempt.
+  Prepared prepare(const Item& item);
+  /// Prepares the next attempts: many at once, because each alone, between two waits, is
+  /// as dear as several.
+  void prepare_ahead();
   void adopt(const std::vector<AttemptOf>& running);
   /// A job has ended; what it left is settled with that of others (record).
   void note_end(std::int64_t id);
   /// Is it time to bring the database up to what has begun and ended?
   bool is_record_due() const;
   void record();
-  void settle(const AttemptOf& ended);
+  void settle(const Active& ended);
   void wait_for_event();
   void drain_after_failure();
   /// Is the campaign's target met by what has ended?  If not, more is to be run.
@@ -75,14 +93,15 @@ class CampaignRun {
   TargetWatch target_;
   std::array<long, 5> counts_;
   Progress progress_;
-  std::map<std::int64_t, AttemptOf> active_;
+  std::map<std::int64_t, Active> active_;
   std::map<std::int64_t, AttemptRecord>
-      begun_;                     ///< of the active ones, not in the database
-  std::vector<AttemptOf> ended_;  ///< not settled yet
-  bool one_failed_ = false;       ///< of the ended ones: without a result
-  double first_change_ = 0.0;     ///< of begun_ and ended_ [s]
-  std::deque<Item> retries_;
-  Item cursor_;
+      begun_;                  ///< of the active ones, not in the database
+  std::vector<Active> ended_;  ///< not settled yet
+  bool one_failed_ = false;    ///< of the ended ones: without a result
+  double first_change_ = 0.0;  ///< of begun_ and ended_ [s]
+  std::deque<Item> retries_;   ///< they come first
+  std::deque<Prepared> ready_;
+  Item cursor_;  ///< after what is ready
   std::int64_t last_id_ = 0;
   int stops_ = 0;        ///< how often somebody asked us to stop
   bool leaves_ = false;  ///< the jobs, which go on

@@ -33,7 +33,7 @@ attempt() {
     done 2>/dev/null
     cp "$1/command" "$folder/command"
   fi
-  "$keeper" "$folder" "$seconds" "$seconds_to_stop" "$job" -- \
+  "$keeper" "$folder" "$seconds" "$seconds_to_stop" --job "$job" -- \
     sh -c "exec $(cat "$folder/command")"
 }
 

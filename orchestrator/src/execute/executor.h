@@ -14,8 +14,9 @@ namespace colloid {
 
 struct Job {
   std::int64_t id = 0;               ///< of the caller's choice
-  std::string folder;                ///< of the attempt; it exists
+  std::string folder;                ///< of the attempt
   std::vector<std::string> command;  ///< of the solver
+  std::string command_line;          ///< the same as a shell would take it
   double seconds = 0.0;              ///< wall-time limit, enforced within the job [s]
   double seconds_to_stop = 0.0;      ///< from a polite stop to a kill [s]
 };
@@ -35,7 +36,9 @@ class Executor {
 
   /// How many more jobs are welcome now.
   virtual std::size_t free_slots() const = 0;
-  /// Starts (or queues) jobs.  StorageError if the executor itself does not work.
+  /// Starts (or queues) jobs: makes the attempts' folders, in which `command` is then,
+  /// and never begins one whose folder is there.  StorageError, here or by poll(), if a
+  /// folder cannot be made or the executor itself does not work.
   virtual void submit(const std::vector<Job>& jobs) = 0;
   /// Takes over a job that an earlier process submitted; false if it runs no more.
   virtual bool adopt(const Job& job) = 0;

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "attempt/protocol.h"
 #include "base/error.h"
 #include "base/file_lock.h"
 #include "base/files.h"
@@ -24,56 +24,6 @@ namespace {
 
 constexpr double kPace = 0.5;         // [s] our own children wake us by SIGCHLD
 constexpr double kPaceAdopted = 0.1;  // [s] others' children do not
-
-/// In the child: a session of its own, so that a Ctrl-C at the terminal reaches only us;
-/// no blocked and no ignored signals.
-[[noreturn]] void become(char* const* arguments, volatile int& error) {
-  sigset_t none{};
-  ::sigemptyset(&none);
-  ::signal(SIGPIPE, SIG_DFL);
-  ::setsid();
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  ::execve(arguments[0], arguments, environ);
-  error = errno;
-  ::_exit(127);
-}
-
-/// vfork() itself instead of posix_spawn(), which gives the child a stack of its own: to
-/// map, touch and unmap that is half of what starting a process costs us.  POSIX allows
-/// the child no call but exec and _exit; on Linux it is safe because the child calls
-/// nothing but the system, we have one thread, and every signal is blocked until the
-/// child is another program (a handler would run in our memory).
-pid_t spawn(const std::vector<std::string>& words) {
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (const std::string& word : words) {
-    arguments.push_back(const_cast<char*>(word.c_str()));
-  }
-  arguments.push_back(nullptr);
-  sigset_t all{};
-  sigset_t before{};
-  ::sigfillset(&all);
-  ::sigprocmask(SIG_BLOCK, &all, &before);
-  volatile int error = 0;  // the child writes to it
-  // NOLINTBEGIN(clang-analyzer-security.insecureAPI.vfork, clang-analyzer-unix.Vfork)
-  const pid_t child = ::vfork();
-  if (child == 0) {
-    become(arguments.data(), error);
-  }
-  // NOLINTEND(clang-analyzer-security.insecureAPI.vfork, clang-analyzer-unix.Vfork)
-  if (child < 0) {
-    error = errno;
-  }
-  ::sigprocmask(SIG_SETMASK, &before, nullptr);
-  if (error != 0) {
-    if (child > 0) {
-      ::waitpid(child, nullptr, 0);
-    }
-    throw StorageError(
-        fmt::format("{} cannot be started: {}", words[0], std::strerror(error)));
-  }
-  return child;
-}
 
 }  // namespace
 
@@ -88,42 +38,65 @@ std::size_t LocalExecutor::free_slots() const {
 
 void LocalExecutor::submit(const std::vector<Job>& jobs) {
   for (const Job& job : jobs) {
-    std::vector<std::string> words{keeper_, job.folder, fmt::format("{}", job.seconds),
-                                   fmt::format("{}", job.seconds_to_stop), "--"};
-    words.insert(words.end(), job.command.begin(), job.command.end());
-    running_[job.id] = {spawn(words), job.folder};
+    while (!idle_.empty() && !idle_.back().begin(job)) {
+      idle_.pop_back();  // somebody has killed it
+    }
+    if (idle_.empty()) {
+      idle_.emplace_back(keeper_);
+      require(idle_.back().begin(job), keeper_, "ends as soon as it is started");
+    }
+    running_.emplace(job.id, Running{std::move(idle_.back()), job.folder});
+    idle_.pop_back();
   }
 }
 
 bool LocalExecutor::adopt(const Job& job) {
   const bool runs = is_running(job.folder);
   if (runs) {
-    running_[job.id] = {0, job.folder};
+    running_.emplace(job.id, Running{std::nullopt, job.folder});
   }
   return runs;
 }
 
+bool LocalExecutor::has_ended(Running& job) {
+  if (job.keeper) {
+    const std::optional<int> ending = job.keeper->ending();
+    if (!ending) {
+      return false;
+    }
+    if (*ending != KeeperProcess::kGone) {
+      if (*ending > kFolderNotMade && failure_.empty()) {
+        failure_ = fmt::format("{}: the folder cannot be made: {}", job.folder,
+                               std::strerror(*ending - kFolderNotMade));
+      }
+      idle_.push_back(std::move(*job.keeper));
+      return true;
+    }
+    // Killed: the solver goes an instant later, and the lock with it.
+    job.keeper.reset();
+  }
+  return !is_running(job.folder);
+}
+
 std::vector<std::int64_t> LocalExecutor::poll() {
-  std::vector<std::int64_t> ended;
-  for (const auto& [id, job] : running_) {
-    // A child of ours has ended when it has been waited for; if it was killed, the solver
-    // goes an instant later, and the lock with it.
-    const bool gone = job.keeper == 0 || ::waitpid(job.keeper, nullptr, WNOHANG) != 0;
-    if (gone && !is_running(job.folder)) {
-      ended.push_back(id);
-    } else if (gone && job.keeper != 0) {
-      running_[id].keeper = 0;
+  for (auto job = running_.begin(); job != running_.end();) {
+    if (has_ended(job->second)) {
+      ended_.push_back(job->first);
+      job = running_.erase(job);
+    } else {
+      ++job;
     }
   }
-  for (const std::int64_t id : ended) {
-    running_.erase(id);
+  if (!failure_.empty() && !std::exchange(has_told_, true)) {
+    throw StorageError(failure_);
   }
-  return ended;
+  return std::exchange(ended_, {});
 }
 
 void LocalExecutor::cancel(Stop how) {
   for (const auto& [id, job] : running_) {
-    const pid_t keeper = job.keeper != 0 ? job.keeper : keeper_of(job.folder).process;
+    const pid_t keeper =
+        job.keeper ? job.keeper->process() : keeper_of(job.folder).process;
     if (keeper > 0) {
       ::kill(keeper, how == Stop::politely ? SIGTERM : SIGQUIT);
     }
@@ -131,9 +104,8 @@ void LocalExecutor::cancel(Stop how) {
 }
 
 double LocalExecutor::pace() const {
-  const bool adopted = std::any_of(running_.begin(), running_.end(), [](const auto& job) {
-    return job.second.keeper == 0;
-  });
+  const bool adopted = std::any_of(running_.begin(), running_.end(),
+                                   [](const auto& job) { return !job.second.keeper; });
   return adopted ? kPaceAdopted : kPace;
 }
 

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <sys/types.h>
 
 #include "execute/executor.h"
+#include "execute/keeper_process.h"
 
 namespace colloid {
 
@@ -25,13 +28,20 @@ class LocalExecutor : public Executor {
 
  private:
   struct Running {
-    pid_t keeper = 0;    ///< our child; 0: the child of an earlier process
-    std::string folder;  ///< of the attempt
+    std::optional<KeeperProcess> keeper;  ///< none: an earlier process's, or killed
+    std::string folder;                   ///< of the attempt
   };
+
+  /// Has it ended?  Notes why if its keeper could not make the folder.
+  bool has_ended(Running& job);
 
   std::size_t workers_;
   std::string keeper_;
   std::map<std::int64_t, Running> running_;
+  std::vector<KeeperProcess> idle_;
+  std::vector<std::int64_t> ended_;  ///< not reported yet
+  std::string failure_;              ///< the first of a keeper; told once
+  bool has_told_ = false;
 };
 
 /// Is an attempt running in this folder, on this machine?

@@ -1,11 +1,13 @@
 #include "execute/slurm_executor.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "execute/local_executor.h"
 
 namespace colloid {
@@ -17,6 +19,15 @@ namespace {
 constexpr double kPausesPerAnswer = 20.0;
 constexpr double kShortestPace = 1.0;  // [s]
 constexpr double kLongestPace = 60.0;  // [s]
+
+/// Here and not by the jobs: what has a folder is known, though no job ever comes to it.
+void make_attempt(const Job& job) {
+  claim_folder(std::filesystem::path(job.folder).parent_path().string());
+  if (!claim_folder(job.folder)) {
+    throw StorageError(job.folder + ": somebody else has begun this attempt");
+  }
+  write_new(job.folder + "/command", job.command_line + "\n");
+}
 
 }  // namespace
 
@@ -47,6 +58,7 @@ void SlurmExecutor::submit(const std::vector<Job>& jobs) {
   for (const Job& job : jobs) {
     require(job.folder.find('\n') == std::string::npos, "--runs",
             "has a line break in its name, which job arrays cannot take");
+    make_attempt(job);
     submission.attempts.push_back(job.folder);
     running_[job.id] = job.folder;
   }

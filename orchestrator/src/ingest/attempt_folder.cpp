@@ -102,10 +102,12 @@ std::optional<Value> value_at(const json& object, const char* key) {
 
 }  // namespace
 
-AttemptRecord read_attempt(const std::string& folder, int number) {
+AttemptRecord read_attempt(const std::string& folder, int number,
+                           const std::string& command) {
   AttemptRecord attempt;
   attempt.number = number;
-  attempt.command = read_if_there(folder + "/command").value_or("");
+  attempt.command =
+      command.empty() ? read_if_there(folder + "/command").value_or("") : command;
   while (!attempt.command.empty() && attempt.command.back() == '\n') {
     attempt.command.pop_back();
   }

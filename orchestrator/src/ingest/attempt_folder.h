@@ -10,8 +10,9 @@
 namespace colloid {
 
 /// The attempt as its keeper and the solver recorded it; the cause is that of an attempt
-/// without a result.
-AttemptRecord read_attempt(const std::string& folder, int number);
+/// without a result.  `command`: read from the folder if empty.
+AttemptRecord read_attempt(const std::string& folder, int number,
+                           const std::string& command = "");
 
 /// The last line the solver wrote to stderr.
 std::string last_message(const std::string& folder);

@@ -127,11 +127,11 @@ Presence Ingester::presence(const std::string& folder) {
   return here != Presence::ended || has_said || give_up(folder) ? here : Presence::active;
 }
 
-Settled Ingester::settle(const Item& item, int number) {
+Settled Ingester::settle(const Item& item, int number, const std::string& command) {
   const std::string realisation = folder_.realisation(plan_, item);
   const std::string folder = attempt_folder(realisation, number);
   const bool was_ingested = store_.status(item) == Status::ingested;
-  AttemptRecord attempt = read_attempt(folder, number);
+  AttemptRecord attempt = read_attempt(folder, number, command);
   std::vector<Incident> incidents;
   if (is_there(folder + "/result.h5")) {
     try {

@@ -36,8 +36,9 @@ class Ingester {
   /// that process ended.  Returns the attempts that are running now.
   std::vector<AttemptOf> catch_up();
 
-  /// The same for one attempt that has ended.
-  Settled settle(const Item& item, int number);
+  /// The same for one attempt that has ended.  `command`: if the caller knows it, so that
+  /// it need not be read.
+  Settled settle(const Item& item, int number, const std::string& command = "");
 
  private:
   void catch_up(const Item& item, std::vector<AttemptOf>& running);
