@@ -410,6 +410,8 @@ int main(int argc, char** argv) {
       arguments.seed = std::stoull(value());
     } else if (words[i] == "--checkpoint") {
       arguments.checkpoint = value();
+    } else if (words[i] == "--checkpoint-interval") {
+      value();
     } else if (words[i] == "--regime") {
       regime = true;
       arguments.scene = value();

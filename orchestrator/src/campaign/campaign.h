@@ -17,7 +17,7 @@ struct Limits {
   double seconds_per_realisation = 86400.0;  ///< wall time of one attempt [s]
   double seconds_to_stop = 30.0;             ///< from a polite stop to a kill [s]
   int attempts = 2;                          ///< before a realisation counts as failed
-  std::string checkpoint_interval;  ///< as the solver takes it; empty: its default
+  double checkpoint_interval = 600.0;        ///< wall time between two [s]
 };
 
 struct Campaign {

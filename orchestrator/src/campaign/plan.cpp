@@ -30,7 +30,10 @@ Limits limits_from(const json& value) {
   value.at("seconds_per_realisation").get_to(limits.seconds_per_realisation);
   value.at("seconds_to_stop").get_to(limits.seconds_to_stop);
   value.at("attempts").get_to(limits.attempts);
-  value.at("checkpoint_interval").get_to(limits.checkpoint_interval);
+  const json& interval = value.at("checkpoint_interval");
+  if (interval.is_number()) {  // it was a text once, which no solver took
+    interval.get_to(limits.checkpoint_interval);
+  }
   return limits;
 }
 

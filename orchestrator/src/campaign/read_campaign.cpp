@@ -30,7 +30,7 @@ void read_limits(const json& value, Limits& limits) {
   read.number("seconds_per_realisation", 0.001, 1e9, limits.seconds_per_realisation);
   read.number("seconds_to_stop", 0.0, 3600.0, limits.seconds_to_stop);
   read.integer("attempts", 1, 1000, limits.attempts);
-  read.text("checkpoint_interval", limits.checkpoint_interval);
+  read.number("checkpoint_interval", 0.0, 1e9, limits.checkpoint_interval);
   read.finish();
 }
 

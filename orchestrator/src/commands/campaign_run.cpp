@@ -225,11 +225,9 @@ CampaignRun::Prepared CampaignRun::prepare(const Item& item) {
   const int number = before.empty() ? 1 : before.back() + 1;
   std::vector<std::string> words = solver_.run_command(
       plan_, item, folder_.scene_file(plan_.ensembles[item.ensemble]), "result.h5");
-  words.insert(words.end(), {"--checkpoint", realisation + "/checkpoint.h5"});
-  if (!plan_.limits.checkpoint_interval.empty()) {
-    words.insert(words.end(),
-                 {"--checkpoint-interval", plan_.limits.checkpoint_interval});
-  }
+  words.insert(words.end(),
+               {"--checkpoint", realisation + "/checkpoint.h5", "--checkpoint-interval",
+                fmt::format("{}", plan_.limits.checkpoint_interval)});
   AttemptRecord record;
   record.number = number;
   record.command = command_line(words);

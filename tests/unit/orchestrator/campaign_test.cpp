@@ -45,6 +45,9 @@ TEST(Campaign, IsRefusedWithPlaceExpectationAndNearestKey) {
       {R"("limits": {"attempts": 0})",
        "/limits/attempts: is the number 0, expected an integer in [1, 1000]"},
       {R"("limits": {"attempts": 1e300})", "/limits/attempts: is the number 1e+300"},
+      {R"("limits": {"checkpoint_interval": "60 s"})",
+       "/limits/checkpoint_interval: is the text \"60 s\", expected a number in [0, "
+       "1000000000]"},
       {R"("limits": {"workers": 1.5})", "/limits/workers: is the number 1.5"},
       {R"("executor": "slrum")", "/executor: is \"slrum\", expected"},
       {R"("fidelity": {"tier": "oneway"})", "the nearest is \"one_way\""},
