@@ -6,7 +6,8 @@ cd "$(dirname "$0")/.."
 kills=${1:-1000}
 preset=${PRESET:-release}
 cmake --preset "$preset" >/dev/null
-cmake --build --preset "$preset" --target poreclog fake_solver fake_clock -j "$(nproc)" >/dev/null
+cmake --build --preset "$preset" --target poreclog poreclog-solve fake_solver fake_clock \
+  -j "$(nproc)" >/dev/null
 build=$PWD/build/$preset
 export PORECLOG=$build/orchestrator/poreclog FAKE_SOLVER=$build/tests/anomaly/fake_solver
 export FAKE_CLOCK=$build/tests/anomaly/libfake_clock.so
@@ -18,6 +19,9 @@ trap 'rm -f "$log"' EXIT
 load=$(cut -d' ' -f1 /proc/loadavg)
 KILLS=$kills python3 tests/anomaly/kill_test.py >"$log" 2>&1 || { cat "$log"; exit 1; }
 counts=$(grep '^kills ' "$log")
+KILLS=20 KILL_SCENE=campaigns/throat.scene.json FAKE_SOLVER=$build/solver/poreclog-solve \
+  python3 tests/anomaly/kill_test.py >"$log" 2>&1 || { cat "$log"; exit 1; }
+real=$(grep '^kills ' "$log")
 python3 tests/anomaly/injury_test.py -v >"$log" 2>&1 || { cat "$log"; exit 1; }
 
 {
@@ -28,6 +32,11 @@ python3 tests/anomaly/injury_test.py -v >"$log" 2>&1 || { cat "$log"; exit 1; }
   echo "database compared with that of an undisturbed run (tests/anomaly/kill_test.py)."
   echo
   echo "    $counts"
+  echo
+  echo "The same with the real solver and the reference throat for a second, which goes on from"
+  echo "checkpoints that it writes every tenth of a second:"
+  echo
+  echo "    $real"
   echo
   echo "Every other injury (tests/anomaly/injury_test.py), each with what must hold after it:"
   echo

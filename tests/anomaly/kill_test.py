@@ -3,8 +3,12 @@ moments: nothing finished is lost, nothing runs twice unnoticed, and the databas
 that of an undisturbed run.
 
 KILLS (default 200) is how many; the seed of the moments is printed, and can be given as
-KILL_SEED.  A line of counts at the end goes into the evidence (scripts/reliability.sh)."""
+KILL_SEED.  With KILL_SCENE the solver is the real one, with that scene for a second: it
+goes on from the checkpoints of killed attempts, and must come to the same results.  A
+line of counts at the end goes into the evidence (scripts/reliability.sh)."""
+import json
 import os
+import pathlib
 import random
 import time
 import unittest
@@ -14,6 +18,9 @@ from orchestrator import children, kill
 
 KILLS = int(os.environ.get("KILLS", "200"))
 SEED = int(os.environ.get("KILL_SEED", str(random.randrange(10**6))))
+SCENE = os.environ.get("KILL_SCENE")
+REALISATIONS = 8 if SCENE else 24
+LONGEST_PAUSE = 1.2 if SCENE else 0.12  # [s] between kills
 
 
 class Kill(orchestrator.Bench):
@@ -34,22 +41,29 @@ class Kill(orchestrator.Bench):
             name = f"round{rounds}.json"
             self.runs = self.folder / f"runs{rounds}"
             self.database = self.folder / f"db{rounds}.sqlite"
-            campaign = self.write(file=name, realisations=24, master_seed=rounds,
-                                  limits={"attempts": 1000, "workers": 3})
+            campaign = self.write(file=name, realisations=REALISATIONS, master_seed=rounds,
+                                  **self.scene(),
+                                  limits={"attempts": 1000, "workers": 3,
+                                          "checkpoint_interval": 0.1})
             kills += self.disturb(campaign, moments, KILLS - kills, fake)
             before = self.ingested()
             # killed before it had written anything, there is nothing to resume
             begun = (self.runs / "c/campaign.json").exists()
             self.poreclog("resume" if begun else "run", campaign, **fake)
             self.assertEqual(self.ask("SELECT count(*) FROM v_realisation WHERE status ="
-                                      " 'ingested'"), [(24,)])
-            lost += max(0, before - 24)
+                                      " 'ingested'"), [(REALISATIONS,)])
+            lost += max(0, before - REALISATIONS)
             self.check_attempts()
             self.compare_with_undisturbed(campaign, rounds)
-        # Each kind has a quarter of the 200 on average (standard deviation 6).
-        self.assertGreater(min(self.counts.values()), KILLS / 20, self.counts)
+        if KILLS >= 200:  # each kind has a quarter of 200 on average, standard deviation 6
+            self.assertGreater(min(self.counts.values()), KILLS / 20, self.counts)
         print(f"\nkills {kills} {self.counts}, campaigns {rounds}, results lost {lost}, "
               f"unnoticed repetitions 0, seed {SEED}", flush=True)
+
+    def scene(self):
+        if not SCENE:
+            return {}
+        return {"scene": {**json.loads(pathlib.Path(SCENE).read_text()), "duration": "1 s"}}
 
     def ingested(self):
         try:
@@ -67,7 +81,7 @@ class Kill(orchestrator.Bench):
             while kills < most:
                 if moments.random() < 0.8:  # also on a machine that is slow to start
                     self.wait_for_attempts(process)
-                time.sleep(moments.uniform(0.0, 0.12))
+                time.sleep(moments.uniform(0.0, LONGEST_PAUSE))
                 if process.poll() is not None:
                     break
                 kills += self.kill_something(process, moments)
@@ -121,7 +135,7 @@ class Kill(orchestrator.Bench):
         self.assertEqual(rows, (folders, 0))
         results = len(list(self.runs.glob("c/p*/*/attempt-*/result.h5")))
         duplicates = self.ask("SELECT count(*) FROM incident WHERE kind = 'duplicate'")[0][0]
-        self.assertEqual(results, 24 + duplicates)
+        self.assertEqual(results, REALISATIONS + duplicates)
         self.assertEqual(self.ask("SELECT * FROM incident WHERE kind NOT IN "
                                   "('duplicate', 'lost')"), [])
 

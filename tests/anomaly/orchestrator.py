@@ -1,11 +1,13 @@
 """What the tests of the orchestrator share: a folder of their own, the program, a solver
 that does as it is told (fake_solver.cpp), and the content of a database."""
+import fcntl
 import json
 import os
 import pathlib
 import shutil
 import signal
 import sqlite3
+import struct
 import subprocess
 import tempfile
 import time
@@ -49,11 +51,12 @@ class Bench(unittest.TestCase):
         self.kill_attempts()
 
     def attempts(self, campaign="c"):
-        """Process ids of the attempts that hold their lock."""
+        """Process ids of the keepers of the attempts that are running."""
         found = []
         for lock in (self.runs / campaign).glob("p*/*/attempt-*/lock"):
             words = lock.read_text().split()
-            if len(words) >= 2 and words[0].isdigit() and is_keeper(int(words[0])):
+            if (len(words) >= 2 and words[0].isdigit() and is_held(lock)
+                    and is_keeper(int(words[0]))):
                 found.append(int(words[0]))
         return found
 
@@ -121,6 +124,14 @@ class Bench(unittest.TestCase):
         while not condition():
             self.assertLess(time.monotonic(), end, "waited in vain")
             time.sleep(0.01)
+
+
+def is_held(lock):
+    """Does another process hold the lock on this file?"""
+    with open(lock, encoding="utf-8") as file:
+        asked = struct.pack("hhqqi4x", fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
+        answer = fcntl.fcntl(file, fcntl.F_OFD_GETLK, asked)
+    return struct.unpack("hhqqi4x", answer)[0] != fcntl.F_UNLCK
 
 
 def is_keeper(process):
