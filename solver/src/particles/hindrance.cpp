@@ -32,6 +32,8 @@ struct Factors {
   // Of a stream past the surface.  Beside a narrow sphere the flow's own strain is not
   // its doing alone, and that of the stream with the flow's velocity takes its place.
   double strain_by_velocity;
+  // Along n: strain over velocity, Faxen's, of the flow that drive_n belongs to.
+  double strain_along_by_velocity;
   bool wide;  // like a plane to what it shields
 };
 
@@ -48,7 +50,29 @@ Factors beside_plane(double gap_over_radius) {
           2.0 * h * (w.f_s - w.f_t) + kTurn * w.t_t,
           kTurn * (w.t_s - w.t_r + 2.0 * h * w.t_t),
           0.5 / h,
+          2.0 * h / (h * h + 1.0 / 3.0),
           true};
+}
+
+// Of the stream past a sphere `ratio` times as wide, averaged over the colloid's surface
+// (Faxen 1922), on the axis: strain over velocity, lengths over a.
+double strain_along_by_velocity(double ratio, double distance) {
+  const double s = ratio / distance;
+  const double per_square = s / (distance * distance);
+  const double velocity = 1.0 - 1.5 * s + 0.5 * s * s * s + 0.5 * per_square;
+  const double strain = (1.5 * s * (1.0 - s * s) - 0.9 * per_square) / distance;
+  return strain / velocity;
+}
+
+// Force along the normal on a sphere held beside a plane, at the height h of its centre,
+// by strain beyond that of the stagnation flow with the same velocity: exact for any
+// mixture of the flows u_z = z^2 and z^3 (tables/cubic_flow.py), within 1e-4 of itself.
+double excess_force(double h) {
+  const double x = 1.0 / h;
+  return -15.0 / 16.0 * x * x *
+         (1.0 + x * (9.0 / 8.0 +
+                     x * (-0.7003 +
+                          x * (-0.1898 + x * (2.2490 + x * (-2.2434 + x * 0.5573))))));
 }
 
 // The pair functions with d = -n and sphere 2, `ratio` times as wide, held.
@@ -68,6 +92,7 @@ Factors beside_sphere(const PairResistance& r, const StreamDrive& drive, double 
           force / flow.strain,
           torque / flow.strain,
           flow.strain / flow.velocity,
+          strain_along_by_velocity(ratio, 1.0 + ratio + gap_over_radius),
           ratio >= kWideRatio};
 }
 
@@ -83,7 +108,9 @@ void add_factors(const Factors& f, double weight, double height, const Vector3& 
   held.resistance += weight * resistance;
   if (f.wide) {
     held.wide.push_back(
-        {n, height, 1.0 + weight * (f.f_n - 1.0), 1.0 + weight * (f.f_t - 1.0)});
+        {n, height, 1.0 + weight * (f.f_n - 1.0), 1.0 + weight * (f.f_t - 1.0),
+         (f.drive_n / f.f_n - 1.0) / f.strain_along_by_velocity, f.strain_force / f.f_t,
+         f.strain_along_by_velocity, excess_force(height), weight});
   }
   const Vector3 velocity = eigen(ambient.velocity);
   const Vector3 strain = f.wide ? Vector3(radius * (across * (ambient.strain * n)))
@@ -110,7 +137,10 @@ HeldColloid isolated() {
 
 void let_shield_and_carry(const AmbientMotion& ambient, double radius,
                           HeldColloid& held) {
-  held.resistance.topLeftCorner<3, 3>() += shielding(held.wide);
+  const Shielding together =
+      shielding(held.wide, radius * ambient.strain, eigen(ambient.velocity));
+  held.resistance.topLeftCorner<3, 3>() += together.resistance;
+  held.drive.head<3>() += together.drive;
   Vector6 carried;
   carried << eigen(ambient.velocity), radius * eigen(ambient.spin);
   held.drive += held.resistance * carried;
