@@ -16,8 +16,9 @@ struct SentBackByBoth {
 };
 
 /// Plane A with the normal `a` at the distance `to_a` from the force, B likewise; normals
-/// into the liquid.  From a table (tables/two_planes.py), within 1 % of the flow of each
-/// plane alone where the normals are 30 degrees apart or more.
+/// into the liquid.  From a table (tables/two_planes.py): exchanging the planes changes
+/// it by 0.001 at 60 to 150 degrees between the normals, up to 0.06 below 45 and 0.02
+/// above, of entries of order 1.
 SentBackByBoth sent_back_by_both(const Vector3& a, double to_a, const Vector3& b,
                                  double to_b);
 

@@ -14,7 +14,7 @@ import sys
 import numpy as np
 
 ANGLES = np.arange(0.0, 181.0, 15.0)
-RATIOS = [0.0, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0]
+RATIOS = [0.0, 0.07, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0]
 REACH = 14.0  # of the points on B, graded
 FINE = 0.6    # their distances grow beyond this one
 DEPTH = 1.3   # of the forces behind B, over their distance from each other
