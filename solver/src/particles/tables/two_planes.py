@@ -7,7 +7,7 @@ height t <= 1 above A and 1 above B; velocities over 1/(8 pi mu).  The flow of t
 alone is Blake's (1971).  What lies on A's liquid side behind B takes away the rest on B: forces
 beside A, behind B, least squares on B (method of fundamental solutions).  At t = 0 and psi = 0
 only A is felt: there the table is minus what B alone sends.  Printed to stderr: what is left on
-B over what was there, root mean square.  Needs numpy.
+B over what was there, root mean square.  Blake's flow is checked first.  Needs numpy.
 """
 import sys
 
@@ -37,6 +37,19 @@ def beside(x, y, n):
     d = x[:, None, :] - y[None, :, :]
     r = np.linalg.norm(d, axis=-1)[..., None, None]
     return ONE / r + d[..., :, None] * d[..., None, :] / r**3 + image(x, y, n)
+
+
+def check_beside():
+    """No slip on the plane, reciprocity, a force alone far from the plane."""
+    n = np.array([0.6, 0.0, 0.8])
+    y, x = np.array([0.4, -0.3, 1.9]), np.array([1.1, 0.7, 0.5])
+    def flow(at, force):
+        return beside(at[None], force[None], n)[0, 0]
+    r = np.linalg.norm(x - y)
+    alone = ONE / r + np.outer(x - y, x - y) / r**3
+    assert np.abs(flow(x - (x @ n) * n, y)).max() < 1e-14
+    assert np.abs(flow(x, y) - flow(y, x).T).max() < 1e-14
+    assert np.abs(flow(x + 1e8 * n, y + 1e8 * n) - alone).max() < 1e-7
 
 
 def graded(first, last, count):
@@ -142,6 +155,7 @@ def table(along, across, angles=ANGLES, ratios=RATIOS):
 
 
 def main():
+    check_beside()
     rows = table(14, 19)
     print("// Written by particles/tables/two_planes.py; not by hand.\n#pragma once\n\n"
           "namespace colloid {\n\n// clang-format off")
