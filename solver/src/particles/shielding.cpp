@@ -9,8 +9,11 @@ namespace colloid {
 
 namespace {
 
-// In narrow clefts point forces leave no mobility at all.
+// In narrow clefts point forces leave little mobility or none at all, and say nothing any
+// more: from the second of these on downwards what they say counts less, below the first
+// surfaces act as if each were alone.
 constexpr double kLeastMobility = 0.1;
+constexpr double kTrustedMobility = 0.2;
 
 // Drift along the normal by the image of a stresslet, over strain, at height 1.
 constexpr double kStressletDrift = -15.0 / 16.0;
@@ -84,11 +87,20 @@ Both both(const WideSurface& a, const Alone& alone_a, const WideSurface& b,
   return found;
 }
 
-Matrix3 inverse_of_mobility(const Matrix3& taken) {
+struct Together {
+  Matrix3 resistance;
+  double trust;  // 0 to 1
+};
+Together resistance_to(const Matrix3& taken) {
   const Eigen::SelfAdjointEigenSolver<Matrix3> modes(taken);
-  const Vector3 mobility = (1.0 - modes.eigenvalues().array()).max(kLeastMobility);
-  return modes.eigenvectors() * mobility.cwiseInverse().asDiagonal() *
-         modes.eigenvectors().transpose();
+  const Vector3 mobility = 1.0 - modes.eigenvalues().array();
+  const Vector3 bounded = mobility.cwiseMax(kLeastMobility);
+  const double t = std::clamp(
+      (mobility.minCoeff() - kLeastMobility) / (kTrustedMobility - kLeastMobility), 0.0,
+      1.0);
+  return {modes.eigenvectors() * bounded.cwiseInverse().asDiagonal() *
+              modes.eigenvectors().transpose(),
+          t * t * (3.0 - 2.0 * t)};
 }
 
 }  // namespace
@@ -127,9 +139,9 @@ Shielding shielding(const std::vector<WideSurface>& surfaces, const Matrix3& str
       drifts += open * pair.drift;
     }
   }
-  const Matrix3 resistance = inverse_of_mobility(taken);
-  return {resistance - Matrix3::Identity() - less.resistance,
-          resistance * drifts - less.drive};
+  const auto [resistance, trust] = resistance_to(taken);
+  return {trust * (resistance - Matrix3::Identity() - less.resistance),
+          trust * (resistance * drifts - less.drive)};
 }
 
 }  // namespace colloid
