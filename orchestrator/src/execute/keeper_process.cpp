@@ -44,6 +44,7 @@ std::array<int, 2> make_pipe() {
   ::sigemptyset(&waited_for);
   for (const int signal : {SIGTERM, SIGINT, SIGQUIT, SIGHUP}) {
     ::sigaddset(&waited_for, signal);
+    ::signal(signal, SIG_DFL);  // a shell that puts us in the background ignores some
   }
   ::signal(SIGPIPE, SIG_DFL);
   ::setsid();

@@ -102,17 +102,17 @@ TEST_F(LocalExecutorTest, BeginsNoAttemptWhoseFolderIsThereAndSaysSoOnce) {
   ASSERT_EQ(::mkdir(folder_.file("000000").c_str(), 0755), 0);
   ASSERT_EQ(::mkdir(folder_.file("000000/attempt-001").c_str(), 0755), 0);
   executor.submit({job(1, "attempt-001", "echo never")});
-  ASSERT_EQ(signals_.wait(20.0), Signals::Event::child);
-  try {
-    executor.poll();
-    FAIL() << "no error";
-  } catch (const StorageError& error) {
-    EXPECT_NE(std::string(error.what())
-                  .find("attempt-001: the folder cannot be made: "
-                        "File exists"),
-              std::string::npos)
-        << error.what();
+  std::string told;
+  while (told.empty() && signals_.wait(20.0) == Signals::Event::child) {
+    try {
+      executor.poll();
+    } catch (const StorageError& error) {
+      told = error.what();
+    }
   }
+  EXPECT_NE(told.find("attempt-001: the folder cannot be made: File exists"),
+            std::string::npos)
+      << told;
   EXPECT_EQ(executor.poll(), (std::vector<std::int64_t>{1}));  // it can be done with
   EXPECT_EQ(text("attempt-001/stdout"), "none");
 }
