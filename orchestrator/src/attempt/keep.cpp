@@ -35,7 +35,8 @@ struct Ending {
 sigset_t waited_for() {
   sigset_t signals{};
   ::sigemptyset(&signals);
-  for (const int signal : {SIGCHLD, SIGTERM, SIGINT, SIGQUIT, SIGHUP}) {
+  ::sigaddset(&signals, SIGCHLD);
+  for (const int signal : kStopSignals) {
     ::sigaddset(&signals, signal);
   }
   return signals;
@@ -77,8 +78,8 @@ long kills_for_memory() {
   return count;
 }
 
-/// Makes the attempt's folder and writes its command: 0, or errno.
-int make_folder(const char* folder, const char* line) {
+/// Makes the attempt's folder, goes there and writes its command: 0, or errno.
+int enter_new_folder(const char* folder, const char* line) {
   std::array<char, PATH_MAX> around{};
   const char* end = std::strrchr(folder, '/');
   if (end != nullptr && end != folder) {
@@ -239,13 +240,12 @@ void block_signals() {
 }
 
 int keep(const Attempt& attempt) {
-  if (attempt.job == nullptr) {
-    const int error = make_folder(attempt.folder, attempt.line);
-    if (error != 0) {
-      return kFolderNotMade + error;
-    }
+  const bool is_new = attempt.job == nullptr;
+  const int error = is_new ? enter_new_folder(attempt.folder, attempt.line) : 0;
+  if (error != 0) {
+    return kFolderNotMade + error;
   }
-  const int lock = ::chdir(attempt.folder) == 0 ? hold_lock(attempt.job) : -1;
+  const int lock = is_new || ::chdir(attempt.folder) == 0 ? hold_lock(attempt.job) : -1;
   if (lock < 0) {
     std::fprintf(stderr, "poreclog-attempt: %s: cannot be used: %s\n", attempt.folder,
                  std::strerror(errno));

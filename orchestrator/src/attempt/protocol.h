@@ -6,7 +6,13 @@
 // ended goes to kEndings as std::int32_t.  At the end of kAttempts the program ends.
 #pragma once
 
+#include <array>
+#include <csignal>
+
 namespace colloid {
+
+/// What asks a keeper to stop, blocked from its first instruction: it waits for them.
+constexpr std::array<int, 4> kStopSignals{SIGTERM, SIGINT, SIGQUIT, SIGHUP};
 
 constexpr int kAttempts = 3;  ///< descriptor
 constexpr int kEndings = 4;   ///< descriptor

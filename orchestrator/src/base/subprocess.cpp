@@ -30,12 +30,17 @@ bool drain(int descriptor, std::string& text) {
 
 }  // namespace
 
-ProgramOutput run_program(const std::vector<std::string>& words) {
-  std::array<int, 2> out{};
-  std::array<int, 2> err{};
-  if (::pipe2(out.data(), O_CLOEXEC) != 0 || ::pipe2(err.data(), O_CLOEXEC) != 0) {
+std::array<int, 2> make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw StorageError(fmt::format("no pipe: {}", std::strerror(errno)));
   }
+  return ends;
+}
+
+ProgramOutput run_program(const std::vector<std::string>& words) {
+  const std::array<int, 2> out = make_pipe();
+  const std::array<int, 2> err = make_pipe();
   posix_spawn_file_actions_t actions{};
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);

@@ -107,9 +107,7 @@ void CampaignRun::start() {
   while (stops_ == 0) {
     std::vector<Job> jobs;
     for (std::size_t free = executor_.free_slots(); jobs.size() < free && take(next);) {
-      if (begun_.empty() && ended_.empty()) {
-        first_change_ = monotonic_seconds();
-      }
+      note_change();
       next.job.id = ++last_id_;
       next.record.started = utc_now();
       active_[last_id_] = {next.attempt, next.job.folder, next.record.command};
@@ -123,10 +121,14 @@ void CampaignRun::start() {
   }
 }
 
-void CampaignRun::note_end(std::int64_t id) {
+void CampaignRun::note_change() {
   if (begun_.empty() && ended_.empty()) {
     first_change_ = monotonic_seconds();
   }
+}
+
+void CampaignRun::note_end(std::int64_t id) {
+  note_change();
   Active& ended = active_.at(id);
   one_failed_ = one_failed_ || !is_file(ended.folder + "/result.h5");
   ended_.push_back(std::move(ended));

@@ -71,6 +71,8 @@ class CampaignRun {
   /// as dear as several.
   void prepare_ahead();
   void adopt(const std::vector<AttemptOf>& running);
+  /// Something is about to begin or to end that is not in the database.
+  void note_change();
   /// A job has ended; what it left is settled with that of others (record).
   void note_end(std::int64_t id);
   /// Is it time to bring the database up to what has begun and ended?

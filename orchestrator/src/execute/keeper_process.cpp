@@ -14,21 +14,13 @@
 
 #include "attempt/protocol.h"
 #include "base/error.h"
+#include "base/subprocess.h"
 
 namespace colloid {
 
 namespace {
 
 constexpr int kAbove = 10;  // any descriptor above those of the protocol
-
-/// A pipe whose ends are not inherited: {read, write}.
-std::array<int, 2> make_pipe() {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw StorageError(fmt::format("no pipe: {}", std::strerror(errno)));
-  }
-  return ends;
-}
 
 /// In the child: a session of its own, so that a Ctrl-C at the terminal reaches only us;
 /// no ignored signals.  The signals that ask to stop stay blocked: the keeper waits for
@@ -42,7 +34,7 @@ std::array<int, 2> make_pipe() {
   ::dup2(to, kEndings);
   sigset_t waited_for{};
   ::sigemptyset(&waited_for);
-  for (const int signal : {SIGTERM, SIGINT, SIGQUIT, SIGHUP}) {
+  for (const int signal : kStopSignals) {
     ::sigaddset(&waited_for, signal);
     ::signal(signal, SIG_DFL);  // a shell that puts us in the background ignores some
   }

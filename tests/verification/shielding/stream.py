@@ -5,7 +5,7 @@
 The colloid (13.3 um) is held in campaigns/throat.scene.json, or moves along x, y or z.  The forces
 on it over 6 pi mu a give the drive D and the resistance R
 to motion of its centre; U = R^-1 D is its motion free of force and held from turning.  In mm/s;
-places in um from the corner of the box.  Two resolutions, cells per colloid.
+places in um from the corner of the box.  Two resolutions, cells per colloid.  Needs numpy.
 """
 import json
 import math
@@ -13,6 +13,8 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+
+import numpy as np
 
 SCENE = pathlib.Path(__file__).parents[3] / "campaigns/throat.scene.json"
 DIAMETER = 13.3
@@ -38,26 +40,10 @@ def force(solver, folder, place, velocity, cells):
     return [f / drag_of_one_mm_per_s for f in json.loads(done.stdout)["bodies"][0]["force_N"]]
 
 
-def cross(a, b):
-    return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def solved(columns, right):
-    """x with sum_k x_k columns[k] = right (Cramer)."""
-    a, b, c = columns
-    return [dot(right, n) / dot(column, n) for column, n in
-            ((a, cross(b, c)), (b, cross(c, a)), (c, cross(a, b)))]
-
-
 def drive_and_motion(solver, folder, place, cells):
-    drive = force(solver, folder, place, (0, 0, 0), cells)
-    resistance = [[d - f for d, f in zip(drive, force(solver, folder, place, velocity, cells))]
-                  for velocity in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
-    return [*drive, *solved(resistance, drive)]
+    drive = np.array(force(solver, folder, place, (0, 0, 0), cells))
+    resistance = [drive - force(solver, folder, place, velocity, cells) for velocity in np.eye(3)]
+    return [*drive, *np.linalg.solve(np.transpose(resistance), drive)]
 
 
 with tempfile.TemporaryDirectory() as folder:
