@@ -97,6 +97,9 @@ std::string Statement::text(int column) const {
 
 Database::Database(const std::string& path, Access access)
     : path_(path), handle_(nullptr, &sqlite3_close) {
+  // Nobody asks how much memory SQLite has taken: counting costs at every allocation.
+  // Refused (and harmless) once the library is in use, by an earlier connection.
+  sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0);
   sqlite3* raw = nullptr;
   // One thread uses a connection: its locks would only cost time.
   const int flags =
