@@ -1,14 +1,15 @@
 """Single colloids through the reference throat: tier transient against quasi_steady.
 
-Writes results/evidence/transient/{trajectories.csv,trajectories.png,README.md}: from ten places
-of the inlet, at equal resolution.  Some minutes a place.  Needs a release build (both solvers)
-and gnuplot.  Usage: python3 scripts/transient_trajectories.py [--places N] [--help]
+Writes results/evidence/transient/{trajectories,trajectories_by_place}.csv, trajectories.md and
+trajectories.png: from ten places of the inlet, at equal resolution.  Some minutes a place; places
+that the files already have, from the same commit, are not run again.  Needs a release build (both
+solvers) and gnuplot.  Usage: python3 scripts/transient_trajectories.py [--help]
 """
 import argparse
+import concurrent.futures
 import csv
 import json
 import pathlib
-import subprocess
 import tempfile
 
 import h5py
@@ -42,11 +43,7 @@ def path(solver, scene_object, folder):
     file = pathlib.Path(folder) / "scene.json"
     file.write_text(json.dumps(scene_object))
     result = pathlib.Path(folder) / "result.h5"
-    done = subprocess.run([str(solver), "run", str(file), "-o", str(result), "--json"],
-                          capture_output=True, text=True)
-    if done.returncode != 0:
-        raise SystemExit(done.stderr)
-    said = json.loads(done.stdout)
+    said = json.loads(evidence.finished([solver, "run", file, "-o", result, "--json"]).stdout)
     with h5py.File(result) as h5:
         position = h5["particles/colloids/position"]
         time = position["time"][()]
@@ -64,14 +61,14 @@ def at_heights(heights, time, x):
 
 def draw(rows, folder):
     blocks, plots = [], []
-    for place in sorted({r["place"] for r in rows}):
+    for place in sorted({int(r["place"]) for r in rows}):
         for tier, style in (("quasi_steady", "lw 4 lc rgb '#c0c0c0'"),
                             ("transient", "lw 1.2 lc rgb '#1f5fa0'")):
             points = "\n".join(f"{r['x_um']} {r['height_um']}" for r in rows
-                               if r["place"] == place and r["tier"] == tier)
+                               if int(r["place"]) == place and r["tier"] == tier)
             name = f"${tier}_{place}"
             blocks.append(f"{name} << EOD\n{points}\nEOD\n")
-            title = f"title '{tier}'" if place == rows[0]["place"] else "notitle"
+            title = f"title '{tier}'" if place == int(rows[0]["place"]) else "notitle"
             plots.append(f"{name} using 1:2 with lines {style} {title}")
     evidence.gnuplot(f"""
 set terminal pngcairo size 760,760 font 'Liberation Sans,12'
@@ -87,50 +84,87 @@ plot {', '.join(plots)}
 """)
 
 
+def compare(number, options, commit):
+    """One place: rows of both trajectories, and a row of what they differ in."""
+    place = PLACES[number]
+    solvers = {"quasi_steady": options.solver,
+               "transient": options.solver.with_name("poreclog-solve-transient")}
+    with tempfile.TemporaryDirectory() as folder:
+        found = {tier: path(solver, scene(place, tier, options.cells, options.courant), folder)
+                 for tier, solver in solvers.items()}
+    low = max(f[1][:, 2].min() for f in found.values())
+    heights = np.linspace(low, START, 60)
+    curves = {tier: at_heights(heights, f[0], f[1]) for tier, f in found.items()}
+    rows = [dict(zip(COLUMNS, (number, tier, *(float(f"{v:.5g}") for v in p))))
+            for tier, (x, y, t) in curves.items() for p in zip(heights, x, y, t)]
+    a, b = curves["quasi_steady"], curves["transient"]
+    summary = {"place": number, "x_um": place[0], "y_um": place[1],
+               "aside_um": np.hypot(a[0] - b[0], a[1] - b[1]).max(),
+               "late_ms": 1e3 * np.abs(a[2] - b[2]).max(), "lasts_ms": 1e3 * a[2].max(),
+               "lowest_um": low, "commit": commit}
+    for tier, (_, _, fate, cost) in found.items():
+        summary.update({f"{tier}_fate": fate, f"{tier}_cpu_s": cost["cpu_seconds"],
+                        f"{tier}_steps": cost["steps"]})
+    return rows, {k: f"{v:.4g}" if isinstance(v, float) else str(v) for k, v in summary.items()}
+
+
+def kept(file, commit, places):
+    """Rows that an earlier run of the same program left."""
+    if not file.exists():
+        return []
+    rows = list(csv.DictReader(file.open()))
+    return [r for r in rows if r.get("commit", commit) == commit and int(r["place"]) in places]
+
+
+def write(file, rows):
+    with file.open("w", newline="") as out:
+        writer = csv.DictWriter(out, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def table(summaries):
+    lines = ["| from x, y [um] | down to [um] | apart sideways, largest [um] | in time, largest "
+             "[ms] | of [ms] | fate | processor s | steps |", "|" + "---|" * 8]
+    lines += [f"| {r['x_um']}, {r['y_um']} | {r['lowest_um']} | {r['aside_um']} | {r['late_ms']} | "
+              f"{r['lasts_ms']} | {r['quasi_steady_fate']} / {r['transient_fate']} | "
+              f"{r['quasi_steady_cpu_s']} / {r['transient_cpu_s']} | {r['transient_steps']} |"
+              for r in summaries]
+    return lines
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     evidence.add_common_options(parser, "transient")
     parser.add_argument("--places", type=int, default=len(PLACES))
     parser.add_argument("--cells", type=float, default=8, help="per colloid diameter")
     parser.add_argument("--courant", type=float, default=0.3)
+    parser.add_argument("--workers", type=int, default=1, help="places at a time")
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     provenance = evidence.provenance(options.solver)
-    transient = options.solver.with_name("poreclog-solve-transient")
-    rows, lines = [], []
-    for number, place in enumerate(PLACES[:options.places]):
-        found = {}
-        with tempfile.TemporaryDirectory() as folder:
-            for tier, solver in (("quasi_steady", options.solver), ("transient", transient)):
-                found[tier] = path(solver, scene(place, tier, options.cells, options.courant),
-                                   folder)
-        low = max(f[1][:, 2].min() for f in found.values())
-        heights = np.linspace(low, START, 60)
-        curves = {tier: at_heights(heights, f[0], f[1]) for tier, f in found.items()}
-        for tier, (x, y, t) in curves.items():
-            rows += [dict(zip(COLUMNS, (number, tier, *(float(f"{v:.5g}") for v in p))))
-                     for p in zip(heights, x, y, t)]
-        a, b = curves["quasi_steady"], curves["transient"]
-        aside = np.hypot(a[0] - b[0], a[1] - b[1]).max()
-        late = 1e3 * np.abs(a[2] - b[2]).max()
-        fates = f"{found['quasi_steady'][2]} / {found['transient'][2]}"
-        cost = found["transient"][3]
-        lines.append(f"| {place[0]}, {place[1]} | {aside:.2f} | {late:.2f} | "
-                     f"{1e3 * a[2].max():.0f} | {fates} | "
-                     f"{found['quasi_steady'][3]['cpu_seconds']:.0f} / {cost['cpu_seconds']:.0f} | "
-                     f"{cost['steps']:.0f} |")
-        print(lines[-1], flush=True)
-        with open(options.output / "trajectories.csv", "w", newline="") as file:
-            writer = csv.DictWriter(file, COLUMNS)
-            writer.writeheader()
-            writer.writerows(rows)
-        (options.output / "trajectories.md").write_text("\n".join([
-            *provenance, "",
-            f"{options.cells:g} cells per colloid diameter in both tiers, Courant number "
-            f"{options.courant:g}, start at {START:g} um.", "",
-            "| from x, y [um] | apart sideways, largest [um] | in time, largest [ms] | of [ms] "
-            "| fate | processor s | steps |", "|---|---|---|---|---|---|---|", *lines, "",
-            "Fate and processor seconds: quasi_steady / transient.", ""]))
+    commit = evidence.finished([options.solver, "--version"]).stdout
+    commit = commit.split("commit ")[1].split(",")[0]
+    files = [options.output / "trajectories.csv", options.output / "trajectories_by_place.csv"]
+    summaries = kept(files[1], commit, range(options.places))
+    done = {int(r["place"]) for r in summaries}
+    rows = kept(files[0], commit, done)
+    with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
+        tasks = [pool.submit(compare, number, options, commit)
+                 for number in range(options.places) if number not in done]
+        for task in concurrent.futures.as_completed(tasks):
+            more, summary = task.result()
+            rows += more
+            summaries.append(summary)
+            for file, content in zip(files, (rows, summaries)):
+                content.sort(key=lambda r: int(r["place"]))
+                write(file, content)
+            print(table([summary])[-1], flush=True)
+    (options.output / "trajectories.md").write_text("\n".join([
+        *provenance, "",
+        f"{options.cells:g} cells per colloid diameter in both tiers, Courant number "
+        f"{options.courant:g}, start at {START:g} um.", "", *table(summaries), "",
+        "Fate and processor seconds: quasi_steady / transient.", ""]))
     draw(rows, options.output)
 
 
