@@ -148,7 +148,7 @@ void OneWayMotion::add_surfaces(const std::vector<RigidBody>& bodies,
     Vector6 load = Vector6::Zero();
     load.head<3>() = eigen(options_.weight) / drag_;
     const int id = bodies[b].members[static_cast<std::size_t>(member.index)].id;
-    if (id < static_cast<int>(options_.given.size())) {
+    if (id >= 0 && id < static_cast<int>(options_.given.size())) {
       const BodyWrench& given = options_.given[static_cast<std::size_t>(id)];
       load.head<3>() += eigen(given.force) / drag_;
       load.tail<3>() += eigen(given.torque) / (drag_ * a);

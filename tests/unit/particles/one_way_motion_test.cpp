@@ -14,13 +14,16 @@ TEST(OneWayMotion, PushesTheColloidsThatAreGivenForces) {
   options.given = {{{1e-12, 0.0, 0.0}, {0.0, 2e-19, 0.0}}};
   const cases::Setting setting(options, cases::at_rest, cases::wide_box(1e-3), {});
   const Motion motion = setting.model->motion({cases::colloid_at({5e-4, 5e-4, 5e-4}, 0),
-                                               cases::colloid_at({2e-4, 5e-4, 5e-4}, 1)},
+                                               cases::colloid_at({2e-4, 5e-4, 5e-4}, 1),
+                                               cases::colloid_at({8e-4, 5e-4, 5e-4}, -1)},
                                               {}, {});
   EXPECT_NEAR(motion.velocity[0].x, 1e-12 / cases::kDrag, 1e-12 * 1e-12 / cases::kDrag);
   const double turn = 4.0 / 3.0 * cases::kDrag * cases::kRadius * cases::kRadius;
   EXPECT_NEAR(motion.spin[0].y, 2e-19 / turn, 1e-12 * 2e-19 / turn);
-  EXPECT_EQ(motion.velocity[1].x, 0.0);
-  EXPECT_EQ(motion.spin[1].y, 0.0);
+  for (const std::size_t not_given : {1U, 2U}) {
+    EXPECT_EQ(motion.velocity[not_given].x, 0.0);
+    EXPECT_EQ(motion.spin[not_given].y, 0.0);
+  }
 }
 
 }  // namespace
