@@ -67,7 +67,7 @@ double strain_along_by_velocity(double ratio, double distance) {
 // Force along the normal on a sphere held beside a plane, at the height h of its centre,
 // by strain beyond that of the stagnation flow with the same velocity: exact for any
 // mixture of the flows u_z = z^2 and z^3 (tables/cubic_flow.py), within 1e-4 of itself.
-double excess_force(double h) {
+double excess_coefficient(double h) {
   const double x = 1.0 / h;
   return -15.0 / 16.0 * x * x *
          (1.0 + x * (9.0 / 8.0 +
@@ -110,7 +110,7 @@ void add_factors(const Factors& f, double weight, double height, const Vector3& 
     held.wide.push_back(
         {n, height, 1.0 + weight * (f.f_n - 1.0), 1.0 + weight * (f.f_t - 1.0),
          (f.drive_n / f.f_n - 1.0) / f.strain_along_by_velocity, f.strain_force / f.f_t,
-         f.strain_along_by_velocity, excess_force(height), weight});
+         f.strain_along_by_velocity, excess_coefficient(height), weight});
   }
   const Vector3 velocity = eigen(ambient.velocity);
   const Vector3 strain = f.wide ? Vector3(radius * (across * (ambient.strain * n)))

@@ -62,7 +62,7 @@ Vector3 excess_force(const WideSurface& s, const Matrix3& strain,
                      const Vector3& velocity) {
   const double excess =
       s.normal.dot(strain * s.normal) - s.strain_by_velocity * velocity.dot(s.normal);
-  return s.weight * s.excess_force * excess * s.normal;
+  return s.weight * s.excess_coefficient * excess * s.normal;
 }
 
 // Mobility that two surfaces take, and drift that they give, together less alone.

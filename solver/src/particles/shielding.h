@@ -25,9 +25,9 @@ struct WideSurface {
   double drift_along = 0.0;
   double drift_across = 0.0;
   /// Strain along the normal, times the radius, over the velocity along it, of the flow
-  /// whose drive is the surface's own; force by strain beyond that.
+  /// whose drive is the surface's own.
   double strain_by_velocity = 0.0;
-  double excess_force = 0.0;
+  double excess_coefficient = 0.0;  ///< force over 6 pi mu a^2 by strain beyond that
   double weight = 1.0;  ///< of the drifts; `along` and `across` have it
 };
 

@@ -4,7 +4,7 @@
 
 Forces beside the plane (Blake 1971) within the sphere, least squares on its surface.  Prints the
 force over the Faxen velocity and 6 pi mu a for uniform motion (f_n), x^2 (f_e) and x^3, and the
-polynomial of excess_force in hindrance.cpp: a flow with the Faxen velocity u and strain E
+polynomial of excess_coefficient in hindrance.cpp: a flow with the Faxen velocity u and strain E
 along the normal, each combination of the two, exerts f_e u + k (E - E_u), E_u the strain of x^2
 with that u; k = -15/16 x^2 (1 + 9/8 x + c2 x^2 + ...), x = a/H.  Needs numpy.
 """
