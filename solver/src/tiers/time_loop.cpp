@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <limits>
 
@@ -73,8 +72,7 @@ void TimeLoop::begin_with_bodies() {
 }
 
 std::optional<Realisation> TimeLoop::run() {
-  const auto start = std::chrono::steady_clock::now();
-  const std::clock_t cpu = std::clock();
+  cost_ = RunCost();
   resume();
   integrator_.refresh(state_.bodies);
   integrator_.restore(state_.next_step, state_.counts);
@@ -91,13 +89,18 @@ std::optional<Realisation> TimeLoop::run() {
     }
   }
   finish();
-  state_.realisation.cost = {
-      {"wall_seconds", seconds_since(start)},
-      {"cpu_seconds", static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC},
-      {"flow_seconds", parts_.flow.seconds()},
-      {"flow_work_units", parts_.flow.work_units()}};
-  parts_.motion.record(state_.realisation.deterministic, state_.realisation.cost);
+  state_.realisation.cost = cost();
+  NamedNumbers unused;
+  parts_.motion.record(state_.realisation.deterministic, unused);
   return std::move(state_.realisation);
+}
+
+NamedNumbers TimeLoop::cost() const {
+  NamedNumbers more{{"flow_seconds", parts_.flow.seconds()},
+                    {"flow_work_units", parts_.flow.work_units()}};
+  NamedNumbers unused;
+  parts_.motion.record(unused, more);
+  return cost_.so_far(more);
 }
 
 bool TimeLoop::stopped() {
@@ -120,6 +123,7 @@ void TimeLoop::save() {
   Checkpoint checkpoint;
   checkpoint.identity = run_identity(scene_, options_.seed, parts_.tier);
   checkpoint.realisation = state_.realisation;
+  checkpoint.realisation.cost = cost();
   pack(state_, checkpoint.reals, checkpoint.integers);
   deposit_.save(checkpoint);
   checkpoint.reals["motion"] = parts_.motion.state();
@@ -134,6 +138,7 @@ void TimeLoop::resume() {
   const Checkpoint checkpoint = read_checkpoint(
       options_.checkpoint, run_identity(scene_, options_.seed, parts_.tier));
   state_.realisation = checkpoint.realisation;
+  cost_.resume(checkpoint.realisation.cost);
   unpack(checkpoint.reals, checkpoint.integers, state_);
   deposit_.restore(checkpoint, state_);
   for (const DepositBatch& batch : state_.deposit) {

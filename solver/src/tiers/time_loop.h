@@ -16,6 +16,7 @@
 #include "scene/scene.h"
 #include "tiers/deposit_flow.h"
 #include "tiers/growing_deposit.h"
+#include "tiers/run_cost.h"
 #include "tiers/run_options.h"
 #include "tiers/run_record.h"
 #include "tiers/run_state.h"
@@ -64,6 +65,7 @@ class TimeLoop {
   double escape_rate(double push) const;
   Forcing thermal_forcing(double longest) const;
   void record();
+  NamedNumbers cost() const;
   void finish();
 
   const Scene& scene_;
@@ -78,6 +80,7 @@ class TimeLoop {
   RestRule rest_;
   int first_injected_ = 0;  ///< id of the first colloid that is injected
   std::vector<std::pair<double, double>> escape_rates_;  ///< push [N], rate [1/s]
+  RunCost cost_;
   std::chrono::steady_clock::time_point last_checkpoint_;
   int idle_steps_ = 0;  ///< of no length, in a row
   bool over_ = false;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/checkpoint.h"
 #include "short_scene.h"
 #include "temporary_folder.h"
 #include "tiers/one_way.h"
@@ -140,7 +141,12 @@ TEST(Realisation, GoesOnFromACheckpointToTheBit) {
   options.stop = &stop;
   std::size_t pieces = 1;
   std::optional<Realisation> resumed;
+  NamedNumbers before;  // what it had cost when it went on for the last time
   for (double until : {0.2, 0.41, 0.53, 2.0}) {
+    if (pieces == 4) {
+      const RunIdentity mine = run_identity(scene, options.seed, "one_way");
+      before = read_checkpoint(options.checkpoint, mine).realisation.cost;
+    }
     stop = false;
     options.progress = [&](const Progress& p) { stop = p.time > until; };
     resumed = run_one_way(scene, options);
@@ -153,6 +159,12 @@ TEST(Realisation, GoesOnFromACheckpointToTheBit) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     ASSERT_EQ(a[i], b[i]) << i << " of " << a.size();
+  }
+  // The last piece was dear as well, so the sum is more than what was there before.
+  ASSERT_EQ(resumed->cost.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(resumed->cost[i].first, before[i].first);
+    EXPECT_GT(resumed->cost[i].second, before[i].second) << before[i].first;
   }
 }
 

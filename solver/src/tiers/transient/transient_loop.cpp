@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <limits>
 
@@ -116,8 +115,7 @@ TransientLoop::TransientLoop(const Scene& scene, const RunOptions& options)
 }
 
 std::optional<Realisation> TransientLoop::run() {
-  const auto start = std::chrono::steady_clock::now();
-  const std::clock_t cpu = std::clock();
+  cost_ = RunCost();
   if (!options_.checkpoint.empty() && std::filesystem::exists(options_.checkpoint)) {
     resume();
   } else {
@@ -136,9 +134,7 @@ std::optional<Realisation> TransientLoop::run() {
     }
   }
   finish();
-  state_.realisation.cost = {
-      {"wall_seconds", seconds_since(start)},
-      {"cpu_seconds", static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC}};
+  state_.realisation.cost = cost_.so_far();
   return std::move(state_.realisation);
 }
 
@@ -199,6 +195,7 @@ void TransientLoop::save() {
   Checkpoint checkpoint;
   checkpoint.identity = run_identity(scene_, options_.seed, "transient");
   checkpoint.realisation = state_.realisation;
+  checkpoint.realisation.cost = cost_.so_far();
   pack(state_, checkpoint.reals, checkpoint.integers);
   flow_.save(checkpoint.reals, checkpoint.integers);
   const std::string dem = dem_.save();
@@ -227,6 +224,7 @@ void TransientLoop::resume() {
   const Checkpoint checkpoint = read_checkpoint(
       options_.checkpoint, run_identity(scene_, options_.seed, "transient"));
   state_.realisation = checkpoint.realisation;
+  cost_.resume(checkpoint.realisation.cost);
   unpack(checkpoint.reals, checkpoint.integers, state_);
   deposit_.restore(checkpoint, state_);
   first_injected_ = static_cast<int>(checkpoint.integers.at("first_injected").at(0));

@@ -17,6 +17,7 @@
 #include "tiers/growing_deposit.h"
 #include "tiers/injection.h"
 #include "tiers/regime.h"
+#include "tiers/run_cost.h"
 #include "tiers/run_options.h"
 #include "tiers/run_record.h"
 #include "tiers/run_state.h"
@@ -81,6 +82,7 @@ class TransientLoop {
   std::map<int, Mean> loads_;  ///< by id: the flow's, in the last step
   int first_injected_ = 0;
   long dem_steps_ = 0;
+  RunCost cost_;
   std::chrono::steady_clock::time_point last_checkpoint_;
   bool over_ = false;
 };
