@@ -26,7 +26,7 @@ SCENE = {
                    {"center": ["33 um", "30 um", "36 um"], "diameter": "8 um"}]},
     "drive": {"inlet_velocity": "0.5 mm/s"},
     "colloids": {"diameter": "8 um", "volume_fraction": 0.0},
-    "duration": "0.04 s",
+    "duration": "0.032 s",
     "fidelity": {"tier": "transient", "cells_per_colloid": 3, "wall_refinement": 1},
 }
 PASSES = 1  # index of the colloid that passes
