@@ -58,8 +58,9 @@ struct TransientFlowCounts {
 class TransientFlow {
  public:
   /// At rest.  Drives: inlet velocity, pressure drop, body force, shear rate; InputError
-  /// for another.
+  /// for another.  The scene is referred to, not copied.
   TransientFlow(const Scene& scene, const TransientFlowOptions& options);
+  TransientFlow(Scene&& scene, const TransientFlowOptions& options) = delete;
   ~TransientFlow();
   TransientFlow(const TransientFlow&) = delete;
   TransientFlow& operator=(const TransientFlow&) = delete;
