@@ -18,6 +18,8 @@ struct Experiment {
   double viscosity;  // [Pa s]
   double peak;       // largest speed of the fall [m/s]
 };
+constexpr double kSphereDiameter = 0.015;  // [m]
+constexpr double kSphereDensity = 1120.0;  // [kg/m^3]
 constexpr Experiment kSlow{"E1, Re 1.5", 970.0, 0.373, 0.035986};
 constexpr Experiment kFast{"E4, Re 31.9", 960.0, 0.058, 0.12224};
 
@@ -28,24 +30,39 @@ struct Fall {
   double last_gap = 0.0;  // [m]
 };
 
-inline Fall fall(const Experiment& e, int cells_per_diameter, double until_gap) {
-  constexpr double kDiameter = 0.015;
-  constexpr double kDensity = 1120.0;
+/// The box of the experiments, and the grid of `cells_per_diameter` at the sphere.
+inline Scene closed_box(const Experiment& e) {
   Scene scene;
   scene.fluid.density = e.density;
   scene.fluid.viscosity = e.viscosity;
   scene.geometry.box = {{0.1, 0.1, 0.16}, {kWall, kWall, kWall, kWall, kWall, kWall}};
-  const int n = static_cast<int>(std::lround(0.1 / kDiameter * cells_per_diameter / 2.0));
+  return scene;
+}
+
+inline TransientFlowOptions box_cells(int cells_per_diameter) {
+  const int n =
+      static_cast<int>(std::lround(0.1 / kSphereDiameter * cells_per_diameter / 2.0));
   TransientFlowOptions options = base_cells(n, n, n * 8 / 5, 1);
   options.outer_iterations = 2;
-  TransientFlow flow(scene, options);
-  const double volume = kPi / 6.0 * std::pow(kDiameter, 3);
+  return options;
+}
+
+/// Less the buoyancy [N].
+inline Vec3 weight(const Experiment& e) {
+  return {
+      0.0, 0.0,
+      -9.81 * (kSphereDensity - e.density) * kPi / 6.0 * std::pow(kSphereDiameter, 3)};
+}
+
+inline Fall fall(const Experiment& e, int cells_per_diameter, double until_gap) {
+  constexpr double kRadius = 0.5 * kSphereDiameter;
+  const Scene scene = closed_box(e);
+  TransientFlow flow(scene, box_cells(cells_per_diameter));
   std::vector<FlowBody> bodies{
-      free_sphere({0.05, 0.05, 0.12 + 0.5 * kDiameter}, 0.5 * kDiameter, kDensity,
-                  {0.0, 0.0, -9.81 * (kDensity - e.density) * volume})};
+      free_sphere({0.05, 0.05, 0.12 + kRadius}, kRadius, kSphereDensity, weight(e))};
   Fall out;
   double t = 0.0;
-  while (bodies[0].sphere.center.z > 0.5 * kDiameter + until_gap) {
+  while (bodies[0].sphere.center.z > kRadius + until_gap) {
     const double dt = std::min(
         {0.005, 0.3 * flow.courant_time(),
          0.3 * flow.cell_at_bodies() / std::max(norm(bodies[0].velocity), 1e-6)});
@@ -62,15 +79,15 @@ inline Fall fall(const Experiment& e, int cells_per_diameter, double until_gap) 
       break;
     }
   }
-  out.last_gap = bodies[0].sphere.center.z - 0.5 * kDiameter;
+  out.last_gap = bodies[0].sphere.center.z - kRadius;
   return out;
 }
 
 /// Within 3 % of the peak, straight down, without a rebound.
 inline void expect_fall(const Experiment& e, int cells_per_diameter) {
-  const Fall found = fall(e, cells_per_diameter, 0.05 * 0.015);
+  const Fall found = fall(e, cells_per_diameter, 0.05 * kSphereDiameter);
   EXPECT_NEAR(found.peak / e.peak, 1.0, 0.03);
-  EXPECT_LT(found.drift, 1e-3 * 0.015);
+  EXPECT_LT(found.drift, 1e-3 * kSphereDiameter);
   EXPECT_EQ(found.rebound, 0.0);
 }
 
