@@ -30,7 +30,7 @@ def scene(place, tier, cells, courant):
     out["geometry"]["bodies"] = [{"center": [f"{x} um", f"{y} um", f"{START} um"],
                                   "diameter": "13.3 um"}]
     out["colloids"]["volume_fraction"] = 0.0
-    out["duration"] = "0.3 s"
+    out["duration"] = "0.2 s"
     out["fidelity"] = {"tier": tier, "cells_per_colloid": cells}
     if tier == "transient":
         # The base grid: a colloid has twice as many.
