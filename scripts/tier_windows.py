@@ -59,12 +59,14 @@ def run_missing(options, name):
     path.with_suffix(".json").write_text(done.stdout)
 
 
-def load(folder, name):
-    """What a window gave, or None if it has not finished."""
+def load(folder, name, earlier=0.0):
+    """What a window gave, or None if it has not finished; `earlier`: processor seconds that its
+    result does not count."""
     answer = folder / f"{name}.json"
     if not answer.exists():
         return None
     said = json.loads(answer.read_text())
+    said["solver"]["cpu_seconds"] += earlier
     clogged, seconds, fidelity = RUNS[name]
     out = {"run": name, "tier": fidelity["tier"], "clogged": clogged, "seconds": seconds,
            "solver": said["solver"],
@@ -145,14 +147,19 @@ def main():
                         default=evidence.ROOT / "results/evidence/tier_windows/deposit.csv")
     parser.add_argument("--no-run", action="store_true", help="only what is finished")
     parser.add_argument("--only", default="", help="runs whose name has this word")
+    parser.add_argument("--earlier", default="", metavar="RUN=SECONDS",
+                        help="processor seconds before a run was continued, by a program that "
+                        "counts only those after")
     options = parser.parse_args()
+    earlier = dict([options.earlier.split("=")]) if options.earlier else {}
     provenance = evidence.provenance(options.solver)
     options.results.mkdir(parents=True, exist_ok=True)
     options.output.mkdir(parents=True, exist_ok=True)
     for name in RUNS:
         if not options.no_run and options.only in name and load(options.results, name) is None:
             run_missing(options, name)
-    found = [r for r in (load(options.results, name) for name in RUNS) if r]
+    found = [r for r in (load(options.results, name, float(earlier.get(name, 0.0)))
+                         for name in RUNS) if r]
     evidence.write_csv(options.output / "windows.csv", COLUMNS, rows_of(found))
     evidence.write_csv(options.output / "captures.csv",
                        [("run", "s"), ("colloid", "d"), ("time_s", ".6f"), ("later_ms", ".3f"),
