@@ -6,7 +6,12 @@
 namespace colloid {
 namespace {
 
-TEST(TransientDuct, CarriesAFreeSphereOnAFineGrid) {
+TEST(TransientDuctFine, DragsASphereFixedOnItsAxis) {
+  expect_duct_drag(0.4, 40);
+  expect_duct_drag(0.4, 50);
+}
+
+TEST(TransientDuctFine, CarriesAFreeSphere) {
   expect_duct(0.4, 0.0, 24);
   expect_duct(0.4, 0.0, 40);
   expect_duct(0.4, 0.15, 40);

@@ -6,6 +6,11 @@
 namespace colloid {
 namespace {
 
+TEST(TransientDuct, DragsASphereFixedOnItsAxis) {
+  expect_duct_drag(0.4, 20);
+  expect_duct_drag(0.4, 25);
+}
+
 TEST(TransientDuct, CarriesAFreeSphereOnItsAxis) {
   expect_duct(0.4, 0.0, 16);
 }
@@ -21,8 +26,8 @@ TEST(TransientDuct, CarriesAFreeSphereOffItsAxis) {
 // that of a sphere held at its place.
 TEST(TransientDuct, DriftsOffItsLineByTheStepAlone) {
   constexpr double kOffset = 0.15;
-  FreeInDuct long_steps(0.4, kOffset, 16);
-  FreeInDuct short_steps(0.4, kOffset, 16);
+  DuctSphere long_steps(0.4, kOffset, 16);
+  DuctSphere short_steps(0.4, kOffset, 16);
   const double grid = std::abs(long_steps.held().sideways);
   short_steps.held();
   const double drift = long_steps.drift(0.3);
