@@ -28,7 +28,7 @@ struct WideSurface {
   /// whose drive is the surface's own.
   double strain_by_velocity = 0.0;
   double excess_coefficient = 0.0;  ///< force over 6 pi mu a^2 by strain beyond that
-  double weight = 1.0;  ///< of the drifts; `along` and `across` have it
+  double weight = 1.0;              ///< of the drifts; `along` and `across` have it
 };
 
 /// What surfaces do together, less the sum of what each does alone; over 6 pi mu a.

@@ -13,10 +13,10 @@ TEST(OneWayMotion, PushesTheColloidsThatAreGivenForces) {
   OneWayOptions options = cases::free_of_hindrance(1e-9);
   options.given = {{{1e-12, 0.0, 0.0}, {0.0, 2e-19, 0.0}}};
   const cases::Setting setting(options, cases::at_rest, cases::wide_box(1e-3), {});
-  const Motion motion = setting.model->motion({cases::colloid_at({5e-4, 5e-4, 5e-4}, 0),
-                                               cases::colloid_at({2e-4, 5e-4, 5e-4}, 1),
-                                               cases::colloid_at({8e-4, 5e-4, 5e-4}, -1)},
-                                              {}, {});
+  const Motion motion = setting.model->motion(
+      {cases::colloid_at({5e-4, 5e-4, 5e-4}, 0), cases::colloid_at({2e-4, 5e-4, 5e-4}, 1),
+       cases::colloid_at({8e-4, 5e-4, 5e-4}, -1)},
+      {}, {});
   EXPECT_NEAR(motion.velocity[0].x, 1e-12 / cases::kDrag, 1e-12 * 1e-12 / cases::kDrag);
   const double turn = 4.0 / 3.0 * cases::kDrag * cases::kRadius * cases::kRadius;
   EXPECT_NEAR(motion.spin[0].y, 2e-19 / turn, 1e-12 * 2e-19 / turn);
