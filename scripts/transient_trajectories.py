@@ -68,7 +68,7 @@ def draw(rows, folder):
                                if int(r["place"]) == place and r["tier"] == tier)
             name = f"${tier}_{place}"
             blocks.append(f"{name} << EOD\n{points}\nEOD\n")
-            title = f"title '{tier}'" if place == int(rows[0]["place"]) else "notitle"
+            title = f"title '{tier.replace('_', ' ')}'" if place == int(rows[0]["place"]) else "notitle"
             plots.append(f"{name} using 1:2 with lines {style} {title}")
     evidence.gnuplot(f"""
 set terminal pngcairo size 760,760 font 'Liberation Sans,12'

@@ -8,10 +8,11 @@ NamedNumbers RunCost::so_far(const NamedNumbers& more) const {
   NamedNumbers out{{"wall_seconds", wall_seconds() - wall_},
                    {"cpu_seconds", processor_seconds() - processor_}};
   out.insert(out.end(), more.begin(), more.end());
-  for (auto& [name, value] : out) {
-    const auto earlier = std::find_if(before_.begin(), before_.end(),
-                                      [&](const auto& b) { return b.first == name; });
-    value += earlier == before_.end() ? 0.0 : earlier->second;
+  for (auto& number : out) {
+    const auto earlier = std::find_if(before_.begin(), before_.end(), [&](const auto& b) {
+      return b.first == number.first;
+    });
+    number.second += earlier == before_.end() ? 0.0 : earlier->second;
   }
   return out;
 }
