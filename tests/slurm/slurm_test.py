@@ -601,7 +601,9 @@ class Nodes(OnSlurm):
         self.wait_until(lambda: self.cluster.node_states()["n1"] in ("idle", "mixed"), 60)
         subprocess.run(["scontrol", "update", "nodename=n2", "state=down", "reason=test"],
                        check=True)
-        time.sleep(2)
+        # Slurm ends what it had on both nodes.  A task that came back to its node before
+        # that would be its second copy there, for which Slurm drains the node.
+        self.wait_until(lambda: not self.solvers(), 60)
         subprocess.run(["scontrol", "update", "nodename=n2", "state=idle"])
         for job, index in self.tasks():
             subprocess.run(["scontrol", "update", f"jobid={job}_{index}", "starttime=now"],
