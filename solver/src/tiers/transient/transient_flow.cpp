@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "tiers/transient/foam_carried_pressure.h"
 #include "tiers/transient/foam_grid.h"
 #include "tiers/transient/foam_momentum.h"
 #include "tiers/transient/foam_pressure.h"
@@ -428,6 +429,8 @@ struct TransientFlow::Impl {
     const std::vector<ImmersedEntry> entries = immersed(bodies, dt);
     std::vector<MomentumBody> moved = momentum_bodies(bodies, dt);
     fields->velocity.storeOldTime();
+    carried.carry(levels.box, {spheres.begin() + grain_count(), spheres.end()},
+                  cell_at_bodies(), fields->pressure);
     std::vector<Six> reaction;
     for (int outer = 0; outer < options.outer_iterations; ++outer) {
       reaction = iterate(dt, entries, moved);
@@ -694,6 +697,12 @@ struct TransientFlow::Impl {
     return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
   }
 
+  double cell_at_bodies() const { return levels.spacing(0) / (1 << options.refinement); }
+
+  std::ptrdiff_t grain_count() const {
+    return static_cast<std::ptrdiff_t>(scene.geometry.spheres.size());
+  }
+
   // Below the point where it would overshoot at the shortest waves (F: the flux is damped
   // there by the momentum diagonal).
   static constexpr double kViscousShare = 0.8;
@@ -709,6 +718,7 @@ struct TransientFlow::Impl {
   bool fixed_known = false;
   std::vector<ImmersedEntry> fixed_entries;  // of this grid
   std::vector<Sphere> spheres;               // grains and bodies of this step
+  CarriedPressure carried;
   Vec3 grain_force;
   Vec3 liquid_inertia;
   std::array<Vec3, kFaces + 1> face_forces{};
@@ -842,6 +852,11 @@ void TransientFlow::save(
   }
   reals["flow_cells"] = gather_all(cells);
   reals["flow_flux"] = gather_all(flux);
+  std::vector<double>& bodies = reals["flow_bodies"];
+  for (const Sphere& body : impl.carried.bodies()) {
+    bodies.insert(bodies.end(),
+                  {body.center.x, body.center.y, body.center.z, body.radius});
+  }
   integers["flow_levels"].assign(impl.levels.level.begin(), impl.levels.level.end());
   const TransientFlowCounts& c = impl.counts;
   integers["flow_counts"] = {rank_count(), c.steps, c.grids, c.momentum_iterations,
@@ -884,6 +899,12 @@ void TransientFlow::restore(
       value = *flux++;
     }
   }
+  const std::vector<double>& bodies = reals.at("flow_bodies");
+  std::vector<Sphere> last;
+  for (std::size_t b = 0; b < bodies.size(); b += 4) {
+    last.push_back({{bodies[b], bodies[b + 1], bodies[b + 2]}, bodies[b + 3]});
+  }
+  impl.carried.restore(std::move(last));
   impl.counts.steps = static_cast<long>(counts[1]);
   impl.counts.grids = static_cast<long>(counts[2]);
   impl.counts.momentum_iterations = static_cast<long>(counts[3]);
@@ -891,7 +912,7 @@ void TransientFlow::restore(
 }
 
 double TransientFlow::cell_at_bodies() const {
-  return impl_->levels.spacing(0) / (1 << impl_->options.refinement);
+  return impl_->cell_at_bodies();
 }
 
 }  // namespace colloid
