@@ -1,9 +1,11 @@
 #include "tiers/transient/foam_carried_pressure.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "particles/surfaces.h"
+#include "tiers/transient/ranks.h"
 
 namespace colloid {
 
@@ -13,6 +15,7 @@ namespace {
 // nothing beyond the other, in radii.
 constexpr double kWhole = 1.5;
 constexpr double kNothing = 4.0;
+constexpr double kOutside = 1.2;  // from here on cells are in the liquid
 
 double share(double radii) {
   return std::clamp((kNothing - radii) / (kNothing - kWhole), 0.0, 1.0);
@@ -21,6 +24,7 @@ double share(double radii) {
 struct Moved {
   Sphere sphere;
   Vec3 by;
+  Vec3 background;  ///< gradient that does not move with it
 };
 
 }  // namespace
@@ -32,7 +36,7 @@ void CarriedPressure::carry(const Box& box, const std::vector<Sphere>& bodies,
     for (const Sphere& before : last_) {
       const Vec3 by = shortest(box, body.center, before.center);
       if (norm(by) > 0.0 && norm(by) < cell) {
-        moved.push_back({body, by});
+        moved.push_back({body, by, {}});
         break;
       }
     }
@@ -43,17 +47,39 @@ void CarriedPressure::carry(const Box& box, const std::vector<Sphere>& bodies,
   }
   const Foam::volVectorField gradient(Foam::fvc::grad(pressure));
   const Foam::vectorField& places = pressure.mesh().C();
+  const Foam::scalarField& volumes = pressure.mesh().V();
+  const auto radii = [&](Foam::label i, const Sphere& sphere) {
+    return norm(shortest(box, vec3(places[i]), sphere.center)) / sphere.radius;
+  };
+  // What is there without the body: the mean around it, to which its own disturbance,
+  // harmonic and falling, adds nothing.
+  for (Moved& body : moved) {
+    std::array<double, 4> sums{};
+    forAll(places, i) {
+      const double from_centre = radii(i, body.sphere);
+      const double weight =
+          from_centre < kOutside ? 0.0 : share(from_centre) * volumes[i];
+      const Vec3 slope = weight * vec3(gradient[i]);
+      sums[0] += weight;
+      sums[1] += slope.x;
+      sums[2] += slope.y;
+      sums[3] += slope.z;
+    }
+    sum_over_ranks(sums.data(), sums.size());
+    if (sums[0] > 0.0) {
+      body.background = (1.0 / sums[0]) * Vec3{sums[1], sums[2], sums[3]};
+    }
+  }
   Foam::scalarField& p = pressure.primitiveFieldRef();
   forAll(p, i) {
-    Vec3 way;
+    double change = 0.0;
     double shares = 0.0;
     for (const Moved& body : moved) {
-      const double from_centre = norm(shortest(box, vec3(places[i]), body.sphere.center));
-      const double own = share(from_centre / body.sphere.radius);
-      way += own * body.by;
+      const double own = share(radii(i, body.sphere));
+      change += own * dot(body.by, vec3(gradient[i]) - body.background);
       shares += own;
     }
-    p[i] -= dot(way, vec3(gradient[i])) / std::max(1.0, shares);
+    p[i] -= change / std::max(1.0, shares);
   }
   pressure.correctBoundaryConditions();
 }

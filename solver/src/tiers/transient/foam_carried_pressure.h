@@ -10,9 +10,10 @@ namespace colloid {
 
 class CarriedPressure {
  public:
-  /// Moves the pressure around each body as far as the body has gone since the last call:
-  /// a first guess at what the next step finds.  A body is known again by having gone
-  /// less than `cell` [m]; around others, and around those that stay, nothing moves.
+  /// Moves what the pressure around each body is because of it as far as the body has
+  /// gone since the last call: a first guess at what the next step finds.  A body is
+  /// known again by having gone less than `cell` [m]; around others, and around those
+  /// that stay, nothing moves.
   void carry(const Box& box, const std::vector<Sphere>& bodies, double cell,
              Foam::volScalarField& pressure);
 
