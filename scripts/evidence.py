@@ -1,4 +1,5 @@
 """What the scripts that write results/evidence share: run, say where from, draw."""
+import csv
 import datetime
 import json
 import math
@@ -58,6 +59,19 @@ def provenance(solver):
             f"- machine: {model}, {os.cpu_count()} cores, {memory:.0f} GiB; one thread used",
             f"- load before the run: {load:.2f} ({quiet})",
             f"- date: {date}"]
+
+
+def commit(solver):
+    """The commit that `solver` was built from."""
+    return finished([solver, "--version"]).stdout.split("commit ")[1].split(",")[0]
+
+
+def write_rows(path, rows, columns=None):
+    """Dictionaries as they are, into a CSV file; `columns`: default those of the first."""
+    with open(path, "w", newline="") as file:
+        writer = csv.DictWriter(file, columns or rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def text(attribute):

@@ -175,8 +175,7 @@ def main():
     options = parser.parse_args()
     origin = evidence.provenance(options.solver)
     options.output.mkdir(parents=True, exist_ok=True)
-    commit = subprocess.run([str(options.solver), "--version"], capture_output=True,
-                            text=True, check=True).stdout.split("commit ")[1].split(",")[0]
+    commit = evidence.commit(options.solver)
     path = options.output / "realisations.csv"
     rows = list(csv.DictReader(path.open())) if path.exists() else []
     rows = [r for r in rows if r["commit"] == commit]
@@ -189,16 +188,10 @@ def main():
                  if (group, name, seed) not in have and (wanted is None or group in wanted)]
         for done in concurrent.futures.as_completed(tasks):
             rows.append(done.result())
-            with path.open("w", newline="") as file:
-                writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-                writer.writeheader()
-                writer.writerows(rows)
+            evidence.write_rows(path, rows, COLUMNS)
     order = {(group, name): i for i, (group, name, _, _) in enumerate(VARIANTS)}
     rows.sort(key=lambda r: (order[r["group"], r["variant"]], int(r["seed"])))
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    evidence.write_rows(path, rows, COLUMNS)
     table = summarise(rows)
     evidence.write_csv(options.output / "table.csv",
                        [(key, "" if isinstance(table[0][key], str) else ".6g")

@@ -13,7 +13,6 @@ The tier quasi_steady gets a fifth of the time of each case, and its table goes 
 results/evidence/extremes_quasi_steady.
 """
 import argparse
-import csv
 import json
 import math
 import subprocess
@@ -151,10 +150,7 @@ def main():
     failures = [r for r in rows if r["outcome"].isupper() or r["outcome"].startswith("EXIT")]
     if not options.only:
         options.output.mkdir(parents=True, exist_ok=True)
-        with (options.output / "table.csv").open("w", newline="") as file:
-            writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows)
+        evidence.write_rows(options.output / "table.csv", rows)
         lines = ["# Extremes of what concerns colloids", "",
                  f"`poreclog-solve run`, tier {options.tier}, on the reference throat (coarse grid,",
                  f"{SHORTER[options.tier]:g} s unless said), one value changed at a time.",

@@ -81,10 +81,7 @@ def main():
         for lubrication in STYLES:
             if not chosen(rows, experiment, lubrication):
                 rows += fall(tool, experiment, options.cells, lubrication)
-                with file.open("w", newline="") as out:
-                    writer = csv.DictWriter(out, COLUMNS, lineterminator="\n")
-                    writer.writeheader()
-                    writer.writerows(rows)
+                evidence.write_rows(file, rows)
     (options.output / "last_diameter.md").write_text("\n".join([
         *provenance, "",
         f"{options.cells} cells per diameter, Courant number 0.3, two passes a step. Speed [mm/s], in "

@@ -116,13 +116,6 @@ def kept(file, commit, places):
     return [r for r in rows if r.get("commit", commit) == commit and int(r["place"]) in places]
 
 
-def write(file, rows):
-    with file.open("w", newline="") as out:
-        writer = csv.DictWriter(out, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def table(summaries):
     lines = ["| from x, y [um] | down to [um] | apart sideways, largest [um] | in time, largest "
              "[ms] | of [ms] | fate | processor s | steps |", "|" + "---|" * 8]
@@ -143,8 +136,7 @@ def main():
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     provenance = evidence.provenance(options.solver)
-    commit = evidence.finished([options.solver, "--version"]).stdout
-    commit = commit.split("commit ")[1].split(",")[0]
+    commit = evidence.commit(options.solver)
     files = [options.output / "trajectories.csv", options.output / "trajectories_by_place.csv"]
     summaries = kept(files[1], commit, range(options.places))
     done = {int(r["place"]) for r in summaries}
@@ -158,7 +150,7 @@ def main():
             summaries.append(summary)
             for file, content in zip(files, (rows, summaries)):
                 content.sort(key=lambda r: int(r["place"]))
-                write(file, content)
+                evidence.write_rows(file, content)
             print(table([summary])[-1], flush=True)
     (options.output / "trajectories.md").write_text("\n".join([
         *provenance, "",
