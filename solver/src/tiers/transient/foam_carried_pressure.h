@@ -5,6 +5,7 @@
 
 #include "scene/scene.h"
 #include "tiers/transient/foam.h"
+#include "tiers/transient/octree.h"
 
 namespace colloid {
 
@@ -14,7 +15,8 @@ class CarriedPressure {
   /// gone since the last call: a first guess at what the next step finds.  A body is
   /// known again by having gone less than `cell` [m]; around others, and around those
   /// that stay, nothing moves.
-  void carry(const Box& box, const std::vector<Sphere>& bodies, double cell,
+  void carry(const OctreeLevels& levels, const OctreeMesh& mesh,
+             const std::vector<Sphere>& bodies, double cell,
              Foam::volScalarField& pressure);
 
   /// Where the bodies were at the last call; for checkpoints.

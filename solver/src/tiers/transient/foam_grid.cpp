@@ -35,11 +35,13 @@ Foam::dictionary parse(const char* text) {
   return Foam::dictionary(stream);
 }
 
+// The pressure correction is solved for from zero, where the correction for the faces
+// between levels is nothing: leaving it out saves finding that.
 constexpr const char* kSchemes = R"(
 ddtSchemes { default Euler; }
 gradSchemes { default Gauss linear; }
 divSchemes { default none; div(phi,U) Gauss linear; }
-laplacianSchemes { default Gauss linear corrected; }
+laplacianSchemes { default Gauss linear corrected; laplacian(rate,dp) Gauss linear uncorrected; }
 interpolationSchemes { default linear; }
 snGradSchemes { default corrected; }
 )";

@@ -21,11 +21,13 @@ struct MomentumBody {
 
 struct SolveReport {
   int iterations = 0;
-  double initial = 0.0;  ///< residuals, 2-norm
+  double initial = 0.0;  ///< residuals: of the pressure 2-norm, of the momentum see there
   double final = 0.0;
 };
 
-/// Solves  (A + lambda) u - lambda V(q) = b,
+/// Solves, until the residual over the diagonal, as root mean square over the volume, is
+/// `tolerance` times that at the start,
+///         (A + lambda) u - lambda V(q) = b,
 ///         inertia q = source + sum of lambda V^T (u - V(q))
 /// for u (in `matrix.psi()`) and the motions of free bodies, by BiCGStab (van der Vorst
 /// 1992).  Preconditioner: incomplete LU of A + lambda, plus for each free body the

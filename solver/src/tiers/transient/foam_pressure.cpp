@@ -135,14 +135,14 @@ PressureCorrection::PressureCorrection(const Foam::fvMesh& mesh, const Box& box,
 
 // Fluxes of each body's rigid motions through the faces of its cells.
 void PressureCorrection::find_terms() {
-  std::vector<Vec3> arms(at(mesh_.nCells()));
+  std::vector<const ImmersedEntry*> inside(at(mesh_.nCells()), nullptr);
   for (const ImmersedEntry& entry : entries_) {
     if (entry.solid && free_[at(entry.body)]) {
-      arms[at(entry.cell)] = entry.arm;
+      inside[at(entry.cell)] = &entry;
     }
   }
-  find_internal_terms(arms);
-  find_coupled_terms(arms);
+  find_internal_terms(inside);
+  find_coupled_terms(inside);
   // One term per cell and body.
   std::vector<CellTerm> terms;
   std::swap(terms, cells_);
@@ -172,24 +172,25 @@ void PressureCorrection::add_term(const FaceTerm& face, double share, const Vec3
   }
 }
 
-void PressureCorrection::find_internal_terms(const std::vector<Vec3>& arms) {
+void PressureCorrection::find_internal_terms(
+    const std::vector<const ImmersedEntry*>& inside) {
   const Foam::labelUList& owner = mesh_.owner();
   const Foam::labelUList& neighbour = mesh_.neighbour();
   const Foam::surfaceScalarField& weights = mesh_.weights();
   forAll(neighbour, face) {
     for (const bool first : {true, false}) {
       const int cell = first ? owner[face] : neighbour[face];
-      const int body = static_cast<int>(std::lround(body_of_[cell]));
-      if (body >= 0) {
+      if (const ImmersedEntry* entry = inside[at(cell)]) {
         const double weight = first ? weights[face] : 1.0 - weights[face];
-        add_term({face, -1, body, {}}, weight * beta_[cell], arms[at(cell)],
+        add_term({face, -1, entry->body, {}}, weight * beta_[cell], entry->arm,
                  mesh_.Sf()[face], owner[face], neighbour[face]);
       }
     }
   }
 }
 
-void PressureCorrection::find_coupled_terms(const std::vector<Vec3>& arms) {
+void PressureCorrection::find_coupled_terms(
+    const std::vector<const ImmersedEntry*>& inside) {
   forAll(mesh_.boundary(), patch) {
     const Foam::fvPatch& faces = mesh_.boundary()[patch];
     if (!faces.coupled()) {
@@ -204,10 +205,9 @@ void PressureCorrection::find_coupled_terms(const std::vector<Vec3>& arms) {
       const int cell = faces.faceCells()[i];
       const double weight = mesh_.weights().boundaryField()[patch][i];
       const Foam::vector& area = mesh_.Sf().boundaryField()[patch][i];
-      const int body = static_cast<int>(std::lround(body_of_[cell]));
-      if (body >= 0) {
-        add_term({i, patch, body, {}}, weight * beta_[cell], arms[at(cell)], area, cell,
-                 -1);
+      if (const ImmersedEntry* entry = inside[at(cell)]) {
+        add_term({i, patch, entry->body, {}}, weight * beta_[cell], entry->arm, area,
+                 cell, -1);
       }
       const int other = static_cast<int>(std::lround(other_body[i]));
       if (other >= 0) {
@@ -262,10 +262,11 @@ SolveReport PressureCorrection::solve(Foam::volScalarField& dp,
 }
 
 void PressureCorrection::correct(const Foam::volScalarField& dp,
+                                 const Foam::volVectorField& gradient,
                                  Foam::volVectorField& velocity,
                                  std::vector<MomentumBody>& bodies) const {
   const std::vector<Six> motions = motions_of(dp.primitiveField());
-  velocity -= rate_ * Foam::fvc::grad(dp);
+  velocity -= rate_ * gradient;
   for (const ImmersedEntry& entry : entries_) {
     if (entry.solid && free_[at(entry.body)]) {
       velocity.primitiveFieldRef()[entry.cell] +=

@@ -31,9 +31,9 @@ class PressureCorrection {
   SolveReport solve(Foam::volScalarField& dp, Foam::surfaceScalarField& flux,
                     double tolerance);
 
-  /// Corrects velocity and motions by dp.
-  void correct(const Foam::volScalarField& dp, Foam::volVectorField& velocity,
-               std::vector<MomentumBody>& bodies) const;
+  /// Corrects velocity and motions by dp and its gradient.
+  void correct(const Foam::volScalarField& dp, const Foam::volVectorField& gradient,
+               Foam::volVectorField& velocity, std::vector<MomentumBody>& bodies) const;
 
   /// y -= sum of g B^-1 g^T x: what free bodies add to the Laplacian.
   void add_bodies(const Foam::scalarField& x, Foam::scalarField& y) const;
@@ -52,8 +52,9 @@ class PressureCorrection {
   };
 
   void find_terms();
-  void find_internal_terms(const std::vector<Vec3>& arms);
-  void find_coupled_terms(const std::vector<Vec3>& arms);
+  // `inside`: by cell, the entry of the free body that it is inside of.
+  void find_internal_terms(const std::vector<const ImmersedEntry*>& inside);
+  void find_coupled_terms(const std::vector<const ImmersedEntry*>& inside);
   void add_term(const FaceTerm& face, double share, const Vec3& arm,
                 const Foam::vector& area, int from, int to);
   std::vector<Six> motions_of(const Foam::scalarField& dp) const;

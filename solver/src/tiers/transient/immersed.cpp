@@ -9,6 +9,10 @@ namespace colloid {
 
 namespace {
 
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
 // Fraction of the step from `arm` (outside) along an axis at which a sphere of radius r
 // around the origin begins; above one: not on this step.
 double cut(const Vec3& arm, int axis, double step, double r) {
@@ -54,18 +58,18 @@ std::vector<ImmersedEntry> immerse(const OctreeLevels& levels, const OctreeMesh&
   const Vec3 ratio{1.0, levels.spacing(1) / levels.spacing(0),
                    levels.spacing(2) / levels.spacing(0)};
   const double longest = std::max({ratio.x, ratio.y, ratio.z});
+  const double coarsest = longest * levels.spacing(0);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double r = bodies[b].radius;
-    for (std::size_t cell = 0; cell < mesh.centres.size(); ++cell) {
-      const Vec3 arm = shortest(levels.box, mesh.centres[cell], bodies[b].center);
-      const double size = mesh.size[cell];
+    for (const int cell : cells_around(levels, mesh, bodies[b].center, r + coarsest)) {
+      const Vec3 arm = shortest(levels.box, mesh.centres[at(cell)], bodies[b].center);
+      const double size = mesh.size[at(cell)];
       const double reach = r + longest * size;
       const double distance2 = dot(arm, arm);
       if (distance2 >= reach * reach) {
         continue;
       }
-      ImmersedEntry entry{static_cast<int>(cell), static_cast<int>(b), 0.0,
-                          distance2 < r * r, arm};
+      ImmersedEntry entry{cell, static_cast<int>(b), 0.0, distance2 < r * r, arm};
       if (entry.solid) {
         entry.strength = rigidity * viscosity / (size * size);
       } else {

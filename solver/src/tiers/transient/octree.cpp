@@ -1,6 +1,7 @@
 #include "tiers/transient/octree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/error.h"
@@ -76,6 +77,7 @@ class MeshBuilder {
 
   void list_leaves() {
     for (std::size_t base = 0; base < levels_.level.size(); ++base) {
+      mesh_.first.push_back(static_cast<int>(leaves_.size()));
       const int level = levels_.level[base];
       if (level < 0 || rank_of_[base] != rank_) {
         continue;
@@ -101,6 +103,7 @@ class MeshBuilder {
         mesh_.global.push_back(first_[base] + child);
       }
     }
+    mesh_.first.push_back(static_cast<int>(leaves_.size()));
   }
 
   Index3 position(std::size_t base) const {
@@ -349,6 +352,45 @@ std::vector<std::int64_t> first_cells(const OctreeLevels& levels) {
     first[base + 1] = first[base] + (level < 0 ? 0 : std::int64_t{1} << (3 * level));
   }
   return first;
+}
+
+std::vector<std::size_t> base_cells_around(const OctreeLevels& levels, const Vec3& x,
+                                           double reach) {
+  std::array<std::vector<int>, 3> along;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int n = levels.cells[at(axis)];
+    const double h = levels.spacing(axis);
+    int low = static_cast<int>(std::floor((x[axis] - reach) / h));
+    int high = static_cast<int>(std::floor((x[axis] + reach) / h));
+    if (!levels.box.periodic(axis) || high - low >= n) {
+      low = levels.box.periodic(axis) ? 0 : std::max(low, 0);
+      high = levels.box.periodic(axis) ? n - 1 : std::min(high, n - 1);
+    }
+    for (int i = low; i <= high; ++i) {
+      along[at(axis)].push_back((i % n + n) % n);
+    }
+    std::sort(along[at(axis)].begin(), along[at(axis)].end());
+  }
+  std::vector<std::size_t> out;
+  for (const int k : along[2]) {
+    for (const int j : along[1]) {
+      for (const int i : along[0]) {
+        out.push_back(levels.index(i, j, k));
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<int> cells_around(const OctreeLevels& levels, const OctreeMesh& mesh,
+                              const Vec3& x, double reach) {
+  std::vector<int> out;
+  for (const std::size_t base : base_cells_around(levels, x, reach)) {
+    for (int cell = mesh.first[base]; cell < mesh.first[base + 1]; ++cell) {
+      out.push_back(cell);
+    }
+  }
+  return out;
 }
 
 std::vector<int> partition(const OctreeLevels& levels, int ranks) {

@@ -63,7 +63,17 @@ struct OctreeMesh {
   std::vector<Vec3> centres;              ///< of the cells [m]
   std::vector<double> size;               ///< edge of each cell along x [m]
   std::vector<std::int64_t> global;       ///< number of each cell in the whole grid
+  std::vector<int> first;  ///< this rank's first cell in each base cell, and their number
 };
+
+/// Base cells that come nearer to `x` than `reach` along every axis, images through
+/// periodic faces too; in order.
+std::vector<std::size_t> base_cells_around(const OctreeLevels& levels, const Vec3& x,
+                                           double reach);
+
+/// Cells of those base cells that this rank has; in order.
+std::vector<int> cells_around(const OctreeLevels& levels, const OctreeMesh& mesh,
+                              const Vec3& x, double reach);
 
 /// Rank of every base cell: parts of about equal numbers of cells, cut across the axis
 /// along which the grid is longest and not periodic; whole layers if another axis is

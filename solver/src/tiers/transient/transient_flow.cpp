@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "particles/surfaces.h"
 #include "tiers/transient/foam_carried_pressure.h"
 #include "tiers/transient/foam_grid.h"
 #include "tiers/transient/foam_momentum.h"
@@ -98,41 +99,23 @@ struct TransientFlow::Impl {
     return std::max({levels.spacing(0), levels.spacing(1), levels.spacing(2)});
   }
 
-  // Calls f for every base cell with the least and the largest distance of its points
-  // from the sphere's surface, both signed, outside positive (bounds).
+  // Calls f for every base cell within `reach` of the sphere along each axis, with the
+  // distance of its centre from the surface, outside positive.
   template <class F>
   void for_base_cells(const Sphere& sphere, double reach, const F& f) const {
-    std::array<int, 3> low{};
-    std::array<int, 3> high{};
-    for (int axis = 0; axis < 3; ++axis) {
-      const double h = levels.spacing(axis);
-      low[at(axis)] =
-          static_cast<int>(std::floor((sphere.center[axis] - sphere.radius - reach) / h));
-      high[at(axis)] =
-          static_cast<int>(std::floor((sphere.center[axis] + sphere.radius + reach) / h));
-    }
-    for (int k = low[2]; k <= high[2]; ++k) {
-      for (int j = low[1]; j <= high[1]; ++j) {
-        for (int i = low[0]; i <= high[0]; ++i) {
-          const std::array<int, 3> c{wrapped(i, 0), wrapped(j, 1), wrapped(k, 2)};
-          if (c[0] < 0 || c[1] < 0 || c[2] < 0) {
-            continue;
-          }
-          const Vec3 centre{(i + 0.5) * levels.spacing(0), (j + 0.5) * levels.spacing(1),
-                            (k + 0.5) * levels.spacing(2)};
-          const double d = norm(centre - sphere.center) - sphere.radius;
-          f(levels.index(c[0], c[1], c[2]), d);
-        }
-      }
+    for (const std::size_t cell :
+         base_cells_around(levels, sphere.center, sphere.radius + reach)) {
+      f(cell,
+        norm(shortest(levels.box, base_centre(cell), sphere.center)) - sphere.radius);
     }
   }
 
-  int wrapped(int i, int axis) const {
-    const int n = levels.cells[at(axis)];
-    if (levels.box.periodic(axis)) {
-      return ((i % n) + n) % n;
-    }
-    return i >= 0 && i < n ? i : -1;
+  Vec3 base_centre(std::size_t cell) const {
+    const auto nx = static_cast<std::size_t>(levels.cells[0]);
+    const auto ny = static_cast<std::size_t>(levels.cells[1]);
+    return {(static_cast<double>(cell % nx) + 0.5) * levels.spacing(0),
+            (static_cast<double>(cell / nx % ny) + 0.5) * levels.spacing(1),
+            (static_cast<double>(cell / (nx * ny)) + 0.5) * levels.spacing(2)};
   }
 
   // Whether every body is still inside its refined neighbourhood.
@@ -429,7 +412,7 @@ struct TransientFlow::Impl {
     const std::vector<ImmersedEntry> entries = immersed(bodies, dt);
     std::vector<MomentumBody> moved = momentum_bodies(bodies, dt);
     fields->velocity.storeOldTime();
-    carried.carry(levels.box, {spheres.begin() + grain_count(), spheres.end()},
+    carried.carry(levels, octree, {spheres.begin() + grain_count(), spheres.end()},
                   cell_at_bodies(), fields->pressure);
     std::vector<Six> reaction;
     for (int outer = 0; outer < options.outer_iterations; ++outer) {
@@ -480,8 +463,9 @@ struct TransientFlow::Impl {
     const SolveReport projected = correction.solve(dp, phi, options.pressure_tolerance);
     counts.pressure_iterations += projected.iterations;
     require_converged(projected, "pressure");
-    correction.correct(dp, u, bodies);
-    add_reaction(dt, dp, entries, bodies, reaction);
+    const volVectorField correction_gradient(Foam::fvc::grad(dp));
+    correction.correct(dp, correction_gradient, u, bodies);
+    add_reaction(dt, correction_gradient, entries, bodies, reaction);
     finish_face_forces(dp);
     // 4. Cahouet & Chabard (1988): the Laplacian alone answers inertia, the divergence
     // itself viscosity.
@@ -548,11 +532,10 @@ struct TransientFlow::Impl {
   }
 
   // What the pressure correction asks of driven bodies.
-  void add_reaction(double dt, const volScalarField& dp,
+  void add_reaction(double dt, const volVectorField& gradient,
                     const std::vector<ImmersedEntry>& entries,
                     const std::vector<MomentumBody>& bodies,
                     std::vector<Six>& reaction) const {
-    const volVectorField gradient(Foam::fvc::grad(dp));
     std::vector<Six> sums(bodies.size(), Six::Zero());
     for (const ImmersedEntry& entry : entries) {
       if (entry.solid && !bodies[at(entry.body)].free) {

@@ -40,8 +40,8 @@ struct TransientFlowOptions {
   int refinement = 1;                ///< halvings of the cell at bodies
   int wall_refinement = 0;           ///< halvings at the surfaces of grains
   int outer_iterations = 1;          ///< of momentum and pressure, a step
-  double momentum_tolerance = 1e-4;  ///< relative residual of the momentum
-  double pressure_tolerance = 1e-3;  ///< relative residual of the pressure
+  double momentum_tolerance = 3e-3;  ///< residual of the momentum over that at first
+  double pressure_tolerance = 1e-2;  ///< residual of the pressure over that at first
   /// Rate at which the liquid inside a body follows it, over nu/h^2 + 1/dt.  What leaks
   /// is its reciprocal.
   double rigidity = 1e3;

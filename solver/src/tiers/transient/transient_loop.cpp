@@ -156,7 +156,7 @@ void TransientLoop::begin() {
     state_.realisation.injections.push_back({id, 0.0, 0.0, body.sphere.center});
   }
   first_injected_ = static_cast<int>(state_.bodies.size());
-  std::vector<FlowBody> bodies = flow_bodies();
+  std::vector<FlowBody> bodies = flow_bodies(0.0);
   for (FlowBody& body : bodies) {
     body.free = false;
   }
@@ -306,12 +306,14 @@ void TransientLoop::step() {
   over_ = over_ || (arrived && until >= scene_.duration);
 }
 
-std::vector<FlowBody> TransientLoop::flow_bodies() const {
+// Where they will be in the middle of the coming step: their velocities belong to that
+// place, which makes the step of second order in it.
+std::vector<FlowBody> TransientLoop::flow_bodies(double dt) const {
   const bool implicit = scene_.fidelity.coupling == Coupling::implicit;
   std::vector<FlowBody> out;
   for (const RigidBody& body : state_.bodies) {
     FlowBody b;
-    b.sphere = {body.centre, radius_};
+    b.sphere = {body.centre + (0.5 * dt) * body.velocity, radius_};
     b.free = implicit;
     b.mass = sphere_volume(radius_) * scene_.colloids->density;
     b.velocity = body.velocity;
@@ -346,7 +348,7 @@ DemLoad TransientLoop::load_of(int id, const FlowResponse& response) const {
 }
 
 void TransientLoop::move(double dt) {
-  const std::vector<FlowResponse> responses = flow_.step(dt, flow_bodies());
+  const std::vector<FlowResponse> responses = flow_.step(dt, flow_bodies(dt));
   std::vector<DemLoad> loads;
   loads_.clear();
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {

@@ -47,7 +47,7 @@ class TransientLoop {
   double step_length(double until) const;
   void step();
   void move(double dt);
-  std::vector<FlowBody> flow_bodies() const;
+  std::vector<FlowBody> flow_bodies(double dt) const;
   DemLoad load_of(int id, const FlowResponse& response) const;
   void take_states();
   void handle_events(const std::vector<DemEvent>& events);
