@@ -56,7 +56,7 @@ inline CouplingResult pressed_to_wall(double gap, double step, int steps) {
       body.spin = state.spin;
       body.force = force;
       body.torque = torque;
-      const FlowResponse response = flow.step(step, {body})[0];
+      const FlowResponse response = flow.step(step, {halfway(body, step)})[0];
       const DemLoad load{
           0,     response.force,    response.torque, response.velocity, response.spin,
           kDrag, dem_test::kTorsion};

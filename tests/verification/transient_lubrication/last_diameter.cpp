@@ -46,7 +46,7 @@ void print_fall(const Experiment& e, int cells, bool lubrication) {
     const double speed = std::max(norm(body.velocity), 1e-6);
     const double dt = std::min({0.005, 0.3 * flow.courant_time(),
                                 0.3 * flow.cell_at_bodies() / speed, 0.2 * gap / speed});
-    const FlowResponse answer = flow.step(dt, {body})[0];
+    const FlowResponse answer = flow.step(dt, {halfway(body, dt)})[0];
     const DemLoad load{0,
                        answer.force,
                        answer.torque,

@@ -111,7 +111,7 @@ TransientLoop::TransientLoop(const Scene& scene, const RunOptions& options)
   Realisation& r = state_.realisation;
   r.seed = options.seed;
   r.tier = "transient";
-  r.tier_reason = options.tier_reason + "; " + regime_.colloids->models.inertia.reason;
+  r.tier_reason = options.tier_reason;
 }
 
 std::optional<Realisation> TransientLoop::run() {
@@ -306,14 +306,13 @@ void TransientLoop::step() {
   over_ = over_ || (arrived && until >= scene_.duration);
 }
 
-// Where they will be in the middle of the coming step: their velocities belong to that
-// place, which makes the step of second order in it.
+// As the flow sees them over a step of dt.
 std::vector<FlowBody> TransientLoop::flow_bodies(double dt) const {
   const bool implicit = scene_.fidelity.coupling == Coupling::implicit;
   std::vector<FlowBody> out;
   for (const RigidBody& body : state_.bodies) {
     FlowBody b;
-    b.sphere = {body.centre + (0.5 * dt) * body.velocity, radius_};
+    b.sphere = {body.centre, radius_};
     b.free = implicit;
     b.mass = sphere_volume(radius_) * scene_.colloids->density;
     b.velocity = body.velocity;
@@ -321,7 +320,7 @@ std::vector<FlowBody> TransientLoop::flow_bodies(double dt) const {
     const Mean& mean = means_.at(body.members.front().id);
     b.force = mean.force;
     b.torque = mean.torque;
-    out.push_back(b);
+    out.push_back(halfway(b, dt));
   }
   for (const RetainedColloid& colloid : state_.realisation.retained) {
     FlowBody b;
