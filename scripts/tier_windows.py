@@ -29,6 +29,10 @@ RUNS = {
     f"{state}-{tier}": (state == "clogged", SECONDS, {"tier": tier, "cells_per_colloid": CELLS})
     for tier in ("one_way", "quasi_steady", "transient") for state in ("clean", "clogged")}
 RUNS["clean-transient-2ms"] = (False, 0.002, {"tier": "transient", "cells_per_colloid": CELLS})
+# The whole realisation, as coarsely as the tier may: ten cells per colloid, Courant number 1.
+WHOLE = {"tier": "transient", "cells_per_colloid": 5, "courant": 1.0}
+for fidelity in (RUNS["clean-one_way"][2], RUNS["clean-quasi_steady"][2], WHOLE):
+    RUNS[f"whole-{fidelity['tier']}"] = (False, 5.0, fidelity)
 RUNS["clean-transient-2ms-uniform"] = (
     False, 0.002, {"tier": "transient", "cells_per_colloid": 2 * CELLS, "refinement": 0})
 
