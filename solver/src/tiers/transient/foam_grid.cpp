@@ -35,8 +35,8 @@ Foam::dictionary parse(const char* text) {
   return Foam::dictionary(stream);
 }
 
-// The pressure correction is solved for from zero, where the correction for the faces
-// between levels is nothing: leaving it out saves finding that.
+// The pressure correction does without the term for faces between levels: its flux is
+// free of divergence all the same.
 constexpr const char* kSchemes = R"(
 ddtSchemes { default Euler; }
 gradSchemes { default Gauss linear; }

@@ -40,11 +40,16 @@ class RigidPCG : public Foam::lduMatrix::solver {
     Foam::scalarField w(psi.size());
     apply(psi, w, component);
     Foam::scalarField r(source - w);
-    const double scale = std::sqrt(Foam::gSumSqr(source));
-    active_initial = std::sqrt(Foam::gSumSqr(r));
-    active_final = active_initial;
+    // Relative to starting from zero, which a bad guess does not beat.
+    active_initial = std::sqrt(Foam::gSumSqr(source));
+    active_final = std::sqrt(Foam::gSumSqr(r));
+    if (!(active_final < active_initial)) {
+      psi = 0.0;
+      r = source;
+      active_final = active_initial;
+    }
     active_iterations = 0;
-    const double target = std::max(relTol_ * active_initial, tolerance_ * scale);
+    const double target = relTol_ * active_initial;
     if (active_final > target) {
       auto preconditioner = Foam::lduMatrix::preconditioner::New(*this, controlDict_);
       Foam::scalarField p(psi.size(), 0.0);

@@ -26,8 +26,8 @@ class PressureCorrection {
   /// dt/(1 + lambda dt) of every cell [s].
   const Foam::volScalarField& rate() const { return rate_; }
 
-  /// Makes `flux` free of divergence: solves for dp (starting from what it holds),
-  /// corrects the flux.
+  /// Makes `flux` free of divergence: solves for dp (from what it holds, until the
+  /// residual is `tolerance` times that of zero), corrects the flux.
   SolveReport solve(Foam::volScalarField& dp, Foam::surfaceScalarField& flux,
                     double tolerance);
 

@@ -45,8 +45,9 @@ Foam::IOobject io(const char* name, const Foam::fvMesh& mesh) {
 // The fields of one grid.
 struct Fields {
   volVectorField velocity;
-  volScalarField pressure;  // kinematic [m^2/s^2]
-  surfaceScalarField flux;  // [m^3/s]
+  volScalarField pressure;    // kinematic [m^2/s^2]
+  volScalarField correction;  // of the pressure in the last step: the next begins with it
+  surfaceScalarField flux;    // [m^3/s]
 
   Fields(const Foam::fvMesh& mesh, const Foam::wordList& velocity_types,
          const Foam::wordList& pressure_types)
@@ -56,6 +57,9 @@ struct Fields {
         pressure(io("p", mesh), mesh,
                  Foam::dimensionedScalar("p", Foam::sqr(Foam::dimVelocity), 0.0),
                  pressure_types),
+        correction(io("dp", mesh), mesh,
+                   Foam::dimensionedScalar("dp", Foam::sqr(Foam::dimVelocity), 0.0),
+                   pressure_types),
         flux(io("phi", mesh), Foam::fvc::flux(velocity)) {}
 };
 
@@ -335,16 +339,11 @@ struct TransientFlow::Impl {
     const std::vector<ImmersedEntry> entries = immersed(bodies, kAnyStep);
     std::vector<MomentumBody> held(spheres.size());
     PressureCorrection correction(*mesh, levels.box, spheres, entries, held, kAnyStep);
-    volScalarField dp(io("dp", *mesh), *mesh,
-                      Foam::dimensionedScalar("dp", Foam::sqr(Foam::dimVelocity), 0.0),
-                      correction_types());
+    volScalarField& dp = fields->correction;
     const SolveReport report =
         correction.solve(dp, fields->flux, options.pressure_tolerance);
     counts.pressure_iterations += report.iterations;
-  }
-
-  Foam::wordList correction_types() const {
-    return fields->pressure.boundaryField().types();
+    dp.primitiveFieldRef() = 0.0;  // that of no step
   }
 
   // --- one step -----------------------------------------------------------------------
@@ -416,6 +415,9 @@ struct TransientFlow::Impl {
                   cell_at_bodies(), fields->pressure);
     std::vector<Six> reaction;
     for (int outer = 0; outer < options.outer_iterations; ++outer) {
+      if (outer > 0) {
+        fields->correction.primitiveFieldRef() = 0.0;
+      }
       reaction = iterate(dt, entries, moved);
     }
     ++counts.steps;
@@ -457,9 +459,7 @@ struct TransientFlow::Impl {
     const volScalarField divergence(Foam::fvc::div(phi));
     // 3. Pressure correction.
     PressureCorrection correction(*mesh, levels.box, spheres, entries, bodies, dt);
-    volScalarField dp(io("dp", *mesh), *mesh,
-                      Foam::dimensionedScalar("dp", Foam::sqr(Foam::dimVelocity), 0.0),
-                      correction_types());
+    volScalarField& dp = fields->correction;
     const SolveReport projected = correction.solve(dp, phi, options.pressure_tolerance);
     counts.pressure_iterations += projected.iterations;
     require_converged(projected, "pressure");
@@ -835,6 +835,9 @@ void TransientFlow::save(
   }
   reals["flow_cells"] = gather_all(cells);
   reals["flow_flux"] = gather_all(flux);
+  reals["flow_correction"] =
+      gather_all(std::vector<double>(fields.correction.primitiveField().begin(),
+                                     fields.correction.primitiveField().end()));
   std::vector<double>& bodies = reals["flow_bodies"];
   for (const Sphere& body : impl.carried.bodies()) {
     bodies.insert(bodies.end(),
@@ -872,6 +875,11 @@ void TransientFlow::restore(
   }
   fields.velocity.correctBoundaryConditions();
   fields.pressure.correctBoundaryConditions();
+  const double* correction = reals.at("flow_correction").data() +
+                             before(static_cast<std::size_t>(fields.velocity.size()));
+  for (double& value : fields.correction.primitiveFieldRef()) {
+    value = *correction++;
+  }
   const double* flux = reals.at("flow_flux").data() +
                        before(static_cast<std::size_t>(impl.mesh->nFaces()));
   for (double& value : fields.flux.primitiveFieldRef()) {
