@@ -680,7 +680,10 @@ struct TransientFlow::Impl {
     return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
   }
 
-  double cell_at_bodies() const { return levels.spacing(0) / (1 << options.refinement); }
+  double cell_at_bodies() const {
+    return std::min({levels.spacing(0), levels.spacing(1), levels.spacing(2)}) /
+           (1 << options.refinement);
+  }
 
   std::ptrdiff_t grain_count() const {
     return static_cast<std::ptrdiff_t>(scene.geometry.spheres.size());

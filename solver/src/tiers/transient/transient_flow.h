@@ -96,7 +96,7 @@ class TransientFlow {
   /// Rate of change of the momentum of the liquid in the last step, that in the place of
   /// free bodies included, of held ones not [N].
   Vec3 liquid_inertia() const;
-  double cell_at_bodies() const;  ///< edge [m]
+  double cell_at_bodies() const;  ///< shortest edge [m]
   const TransientFlowCounts& counts() const;
 
   /// All that the next step depends on.

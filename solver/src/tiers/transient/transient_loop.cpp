@@ -41,18 +41,9 @@ TransientFlowOptions flow_options(const Scene& scene) {
   return options;
 }
 
-double smallest_cell(const Scene& scene) {
-  const std::array<int, 3> cells = choose_cells(scene, {});
-  double h = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    h = std::min(h,
-                 scene.geometry.box.size[axis] / cells[static_cast<std::size_t>(axis)]);
-  }
-  return h / (1 << scene.fidelity.refinement);
-}
-
+// `cell`: edge of the flow's cells at colloids.
 DemOptions dem_options(const Scene& scene, const SurfaceModel& contacts,
-                       const Regime& regime) {
+                       const Regime& regime, double cell) {
   const Colloids& colloids = *scene.colloids;
   DemOptions options(contacts);
   options.box = scene.geometry.box;
@@ -69,7 +60,7 @@ DemOptions dem_options(const Scene& scene, const SurfaceModel& contacts,
   options.long_range_forces = regime.colloids->models.long_range_dlvo.needed;
   options.permanent_bonds = scene.bonds == Bonds::permanent;
   options.lubrication = scene.fidelity.lubrication == Lubrication::full;
-  options.lubrication_cell = smallest_cell(scene);
+  options.lubrication_cell = cell;
   return options;
 }
 
@@ -105,7 +96,8 @@ TransientLoop::TransientLoop(const Scene& scene, const RunOptions& options)
       deposit_(scene, deposit_flow_, surfaces_),
       rest_(inlet_.mean_speed, radius_),
       flow_(scene, flow_options(scene)),
-      dem_(dem_options(scene, contacts_, regime_), scene.geometry.spheres),
+      dem_(dem_options(scene, contacts_, regime_, flow_.cell_at_bodies()),
+           scene.geometry.spheres),
       last_checkpoint_(std::chrono::steady_clock::now()) {
   refuse(scene, regime_);
   Realisation& r = state_.realisation;
