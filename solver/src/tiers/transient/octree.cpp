@@ -83,7 +83,7 @@ class MeshBuilder {
         continue;
       }
       local_[base] = static_cast<int>(leaves_.size());
-      const Index3 b = position(base);
+      const Index3 b = levels_.position(base);
       const int n = 1 << level;
       const int width = 1 << (finest_ - level);
       for (int child = 0; child < n * n * n; ++child) {
@@ -106,19 +106,13 @@ class MeshBuilder {
     mesh_.first.push_back(static_cast<int>(leaves_.size()));
   }
 
-  Index3 position(std::size_t base) const {
-    const auto nx = static_cast<std::size_t>(levels_.cells[0]);
-    const auto ny = static_cast<std::size_t>(levels_.cells[1]);
-    return {static_cast<int>(base % nx), static_cast<int>(base / nx % ny),
-            static_cast<int>(base / (nx * ny))};
-  }
   double step(int axis) const { return levels_.spacing(axis) / (1 << finest_); }
 
   // Global number of the leaf of base cell `base` that holds the lattice cube `cube`.
   std::int64_t leaf_of(std::size_t base, const Index3& cube) const {
     const int level = levels_.level[base];
     const int n = 1 << level;
-    const Index3 b = position(base);
+    const Index3 b = levels_.position(base);
     Index3 c{};
     for (int axis = 0; axis < 3; ++axis) {
       c[at(axis)] = (cube[at(axis)] - (b[at(axis)] << finest_)) >> (finest_ - level);
@@ -343,6 +337,22 @@ void balance(OctreeLevels& levels) {
       }
     }
   }
+}
+
+Index3 OctreeLevels::position(std::size_t index) const {
+  const auto nx = static_cast<std::size_t>(cells[0]);
+  const auto ny = static_cast<std::size_t>(cells[1]);
+  return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny),
+          static_cast<int>(index / (nx * ny))};
+}
+
+Vec3 OctreeLevels::centre(std::size_t index) const {
+  const Index3 place = position(index);
+  Vec3 x;
+  for (int axis = 0; axis < 3; ++axis) {
+    x[axis] = (place[at(axis)] + 0.5) * spacing(axis);
+  }
+  return x;
 }
 
 std::vector<std::int64_t> first_cells(const OctreeLevels& levels) {

@@ -30,6 +30,8 @@ struct OctreeLevels {
                static_cast<std::size_t>(cells[0]) +
            static_cast<std::size_t>(i);
   }
+  Index3 position(std::size_t index) const;
+  Vec3 centre(std::size_t index) const;  ///< [m]
   /// Edge of a base cell along an axis [m].
   double spacing(int axis) const {
     return box.size[axis] / cells[static_cast<std::size_t>(axis)];

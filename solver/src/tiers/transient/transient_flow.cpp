@@ -110,16 +110,8 @@ struct TransientFlow::Impl {
     for (const std::size_t cell :
          base_cells_around(levels, sphere.center, sphere.radius + reach)) {
       f(cell,
-        norm(shortest(levels.box, base_centre(cell), sphere.center)) - sphere.radius);
+        norm(shortest(levels.box, levels.centre(cell), sphere.center)) - sphere.radius);
     }
-  }
-
-  Vec3 base_centre(std::size_t cell) const {
-    const auto nx = static_cast<std::size_t>(levels.cells[0]);
-    const auto ny = static_cast<std::size_t>(levels.cells[1]);
-    return {(static_cast<double>(cell % nx) + 0.5) * levels.spacing(0),
-            (static_cast<double>(cell / nx % ny) + 0.5) * levels.spacing(1),
-            (static_cast<double>(cell / (nx * ny)) + 0.5) * levels.spacing(2)};
   }
 
   // Whether every body is still inside its refined neighbourhood.
