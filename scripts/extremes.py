@@ -8,7 +8,6 @@ the script then ends with 1.  Writes table.csv (one row per case) and README.md.
                                 [--output results/evidence/extremes] [--only WORD]
 """
 import argparse
-import csv
 import datetime
 import json
 import math
@@ -18,7 +17,9 @@ import subprocess
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+import evidence
+
+ROOT = evidence.ROOT
 TIMEOUT = 120.0
 COLLECTOR = 96.6e-6
 HEIGHT = 144.9e-6
@@ -415,10 +416,7 @@ def main():
                     print(f"{r['outcome']:14}{r['as_expected']:5}{r['seconds']:>7} s  "
                           f"{r['case']} = {r['value']}  {r['message'][:160]}", flush=True)
     arguments.output.mkdir(parents=True, exist_ok=True)
-    with open(arguments.output / "table.csv", "w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    evidence.write_rows(arguments.output / "table.csv", rows, COLUMNS)
     (arguments.output / "README.md").write_text(readme(rows))
     return 1 if any(row["as_expected"] != "yes" for row in rows) else 0
 

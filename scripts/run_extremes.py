@@ -5,14 +5,16 @@ message (2); a run that becomes unstable says so (3).  A crash, exit code 4, los
 overlaps or more than --timeout are failures: the script then ends with 1.  Writes table.csv
 (one row per case) and README.md.
 
-    python3 scripts/run_extremes.py [--tier one_way|quasi_steady] [--only WORD]
+    python3 scripts/run_extremes.py [--tier one_way|quasi_steady|transient] [--only WORD]
                                     [--solver build/release/solver/poreclog-solve]
                                     [--output results/evidence/extremes_run]
 
-The tier quasi_steady gets a fifth of the time of each case, and its table goes to
-results/evidence/extremes_quasi_steady.
+The tier quasi_steady gets a fifth of the time of each case and the tier transient a tenth, at
+most 0.1 s, with a colloid on its way from the start; their tables go to
+results/evidence/extremes_quasi_steady and extremes_transient.
 """
 import argparse
+import itertools
 import json
 import math
 import subprocess
@@ -20,12 +22,19 @@ import sys
 import tempfile
 import time
 
+import h5py
+import numpy
+
 import evidence
 from extremes import THROAT, throat
 
 COARSE = {"fidelity__cells_per_colloid": 3, "duration": "1 s"}
 # Of the simulated time of one_way: colloids still come from the inlet to the grains.
-SHORTER = {"one_way": 1.0, "quasi_steady": 0.2}
+SHORTER = {"one_way": 1.0, "quasi_steady": 0.2, "transient": 0.1}
+LONGEST = {"one_way": math.inf, "quasi_steady": math.inf, "transient": 0.1}  # [s]
+PAPER = "operating point of the paper"
+COLOURS = {"survived": "#2a7f62", "refused": "#808080", "unstable": "#b03030"}
+PROGRAM = {"transient": "poreclog-solve-transient"}
 
 
 def cases():
@@ -81,6 +90,47 @@ def cases():
     yield from case("volume fraction", 0, colloids__volume_fraction=0)
 
 
+def transient_cases():
+    """What the tier transient alone has to be asked."""
+    def metres(*values):
+        return [f"{x:.9g} m" for x in values]
+    yield PAPER, "", throat(**COARSE)
+    d, centre = 13.3e-6, 48.3e-6
+    apart = 0.5 * (d + 5e-9)  # within the gap of contact
+    square = [{"center": metres(centre + sx * apart, centre + sy * apart, centre),
+               "diameter": "13.3 um"} for sx in (-1, 1) for sy in (-1, 1)]
+    for drive in [{"inlet_velocity": "0.5 mm/s"}, {"pressure_drop": "1 Pa"}]:
+        yield ("touching square of four in the throat", next(iter(drive)),
+               throat(**{**COARSE, "geometry__bodies": square, "drive": drive}))
+    # The throat would have ten million cells.
+    duct = throat(fidelity__cells_per_colloid=40, duration="0.02 s",
+                  geometry={"box": metres(2 * d, 2 * d, 3 * d), "faces": {
+                      **{f"{axis}{side}": "wall" for axis in "xy" for side in "-+"},
+                      "z-": "outlet", "z+": "inlet"},
+                      "bodies": [{"center": metres(d, 0.9 * d, 1.5 * d), "diameter": "13.3 um"}]})
+    yield "cells per colloid", "40, in a duct of two diameters", duct
+    for factor in [0.3, 0.5, 1.0]:
+        yield "Courant number", factor, throat(**COARSE, fidelity__courant=factor)
+
+
+def cases_of(tier):
+    if tier != "transient":
+        return cases()
+    # 40 cells: see there.  The finest grids of the others are twice as fine here.
+    return itertools.chain(
+        (case for case in cases() if case[1] not in ("11", "40")), transient_cases())
+
+
+def with_colloid(scene):
+    """A colloid beside the axis, above the throat."""
+    if "bodies" not in scene["geometry"] and "collector_diameter" in scene["geometry"]:
+        size = float(scene["geometry"]["collector_diameter"].split()[0]) / 96.6
+        unit = scene["geometry"]["collector_diameter"].split()[1]
+        scene["geometry"]["bodies"] = [
+            {"center": [f"{size * x:g} {unit}" for x in (49.0, 48.0, 110.0)],
+             "diameter": scene["colloids"]["diameter"]}]
+
+
 def of_tier(scene, tier):
     """The same case for that tier."""
     scene = json.loads(json.dumps(scene))
@@ -89,11 +139,25 @@ def of_tier(scene, tier):
         if scene["fidelity"].pop("hindrance", None) == "none":
             scene["fidelity"]["lubrication"] = "resolved_only"
         value, unit = scene["duration"].split()
-        scene["duration"] = f"{float(value) * SHORTER[tier]:g} {unit}"
+        scene["duration"] = f"{min(float(value) * SHORTER[tier], LONGEST[tier]):g} {unit}"
+    if tier == "transient":
+        scene["fidelity"]["cells_per_colloid"] /= 2  # that of the base grid
+        with_colloid(scene)
     return scene
 
 
-def verdict(done, timeout):
+def deepest_overlap(path):
+    """Of colloids of the last frame with each other, over their diameter."""
+    with h5py.File(path) as file:
+        x = file["particles/colloids/position/value"][-1]
+        d = file["particles/colloids/diameter/value"][-1]
+    there = numpy.isfinite(x[:, 2])
+    pairs = itertools.combinations(zip(x[there], d[there]), 2)
+    return max((1.0 - 2.0 * float(numpy.linalg.norm(a - b)) / (da + db)
+                for (a, da), (b, db) in pairs), default=0.0)
+
+
+def verdict(done, timeout, result):
     """(outcome, note); an outcome in capitals is a failure."""
     if done is None:
         return "TOO SLOW", f"more than {timeout:g} s"
@@ -109,11 +173,41 @@ def verdict(done, timeout):
     if counts["injected"] != sum(counts[k] for k in ["mobile", "retained", "traversed",
                                                      "delayed"]):
         return "LOST COLLOIDS", str(counts)
-    if out["solver"]["overlaps"] > 0:
+    # Soft spheres of the tier transient: a hundredth of the diameter is the bound.
+    if "overlaps" not in out["solver"] and deepest_overlap(result) > 0.01:
+        return "OVERLAP", f"deepest {deepest_overlap(result):.2g} diameters"
+    if out["solver"].get("overlaps", 0) > 0:
         return "OVERLAP", f"{out['solver']['overlaps']:.0f} overlaps, deepest " \
                           f"{out['solver']['deepest_overlap_m']:.2g} m"
     return "survived", (f"{counts['injected']} injected, {counts['retained']} retained, "
                         f"{counts['traversed']} traversed, {out['solver']['steps']:.0f} steps")
+
+
+def draw(rows, path):
+    """Outcome and elapsed time of each case."""
+    blocks, plots = [], []
+    labels = ", ".join(f'"{r["case"]} {r["value"]}" {-n}' for n, r in enumerate(rows))
+    for outcome, colour in COLOURS.items():
+        points = [f"{r['seconds']} {-n}" for n, r in enumerate(rows) if r["outcome"] == outcome]
+        if points:
+            blocks.append(f"${outcome} << EOD\n" + "\n".join(points) + "\nEOD\n")
+            plots.append(f"${outcome} using 1:2 with points pt 7 lc rgb '{colour}' "
+                         f"title '{outcome}'")
+    paper = [r["seconds"] for r in rows if r["case"] == PAPER]
+    line = f"set arrow from {paper[0]}, graph 0 to {paper[0]}, graph 1 nohead dt 2" if paper else ""
+    evidence.gnuplot(f"""
+set terminal pngcairo size 900,{14 * len(rows) + 120} font 'Liberation Sans,9'
+set output '{path}'
+{''.join(blocks)}
+set logscale x
+set xlabel 'elapsed time [s]; dashed: the operating point of the paper'
+set yrange [{-len(rows)}:1]
+set ytics ({labels})
+set grid lc rgb '#e0e0e0'
+set key above
+{line}
+plot {', '.join(plots)}
+""")
 
 
 def main():
@@ -125,10 +219,12 @@ def main():
     options = parser.parse_args()
     if options.tier != "one_way" and options.output == parser.get_default("output"):
         options.output = options.output.with_name(f"extremes_{options.tier}")
+    program = PROGRAM.get(options.tier, "poreclog-solve")
+    options.solver = options.solver.with_name(program)
     origin = evidence.provenance(options.solver)
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        for name, value, scene in cases():
+        for name, value, scene in cases_of(options.tier):
             if options.only not in name:
                 continue
             path = folder + "/scene.json"
@@ -142,7 +238,7 @@ def main():
             except subprocess.TimeoutExpired:
                 done = None
             seconds = time.monotonic() - start
-            outcome, note = verdict(done, options.timeout)
+            outcome, note = verdict(done, options.timeout, folder + "/r.h5")
             note = note.replace(folder, "...")
             rows.append({"case": name, "value": value, "outcome": outcome,
                          "seconds": f"{seconds:.1f}", "note": note})
@@ -152,11 +248,13 @@ def main():
         options.output.mkdir(parents=True, exist_ok=True)
         evidence.write_rows(options.output / "table.csv", rows)
         lines = ["# Extremes of what concerns colloids", "",
-                 f"`poreclog-solve run`, tier {options.tier}, on the reference throat (coarse grid,",
+                 f"`{program} run`, tier {options.tier}, on the reference throat (coarse grid,",
                  f"{SHORTER[options.tier]:g} s unless said), one value changed at a time.",
                  "Survived: finished, colloids conserved, none overlapping.", "", *origin, "",
                  f"{len(rows)} cases, {len(failures)} failures.", "",
+                 "![outcome and time of each case](extremes.png)", "",
                  "| case | value | outcome | s | |", "|---|---|---|---|---|"]
+        draw(rows, options.output / "extremes.png")
         lines += ["| {case} | {value} | {outcome} | {seconds} | {note} |".format(**r)
                   for r in rows]
         (options.output / "README.md").write_text("\n".join(lines) + "\n")

@@ -427,6 +427,18 @@ TEST(DescribeRegime, IsTheRegimeThatMeasureGives) {
   EXPECT_EQ(d["regime"], answer("measure " + scene)["regime"]);
 }
 
+// By which a run chooses its tier; a flow around many touching bodies may not converge.
+TEST(DescribeRegime, IsThatOfThePoreWithoutBodies) {
+  json changes{{"/fidelity/cells_per_colloid", 3}, {"/fidelity/tier", "quasi_steady"}};
+  const auto described = [&] {
+    return answer("describe --json --regime " + throat_with(changes, "b.json"));
+  };
+  const json clean = described();
+  changes["/geometry/bodies"] = json::array(
+      {{{"center", {"48.3 um", "48.3 um", "48.3 um"}}, {"diameter", "13.3 um"}}});
+  EXPECT_EQ(described(), clean);
+}
+
 TEST(DescribeRegime, SaysWhichTierRunsWhereAndAtWhatCost) {
   const auto said = [](const json& changes) {
     return answer("describe --json --regime " + throat_with(changes, "t.json"))["regime"];

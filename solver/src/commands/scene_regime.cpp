@@ -1,13 +1,12 @@
 #include "commands/scene_regime.h"
 
 #include "scene/read_scene.h"
-#include "tiers/measurement.h"
 
 namespace colloid {
 
 SceneRegime scene_regime(const std::string& path) {
   const Scene scene = read_scene(path).scene;
-  SceneRegime out{measure(scene, {}).regime, {scene.fidelity.tier, "asked for"}, {}};
+  SceneRegime out{clean_regime(scene, 1), {scene.fidelity.tier, "asked for"}, {}};
   if (scene.fidelity.tier == TierChoice::automatic) {
     out.tier = advise_tier(scene, out.regime);
   }

@@ -17,7 +17,8 @@ struct SceneRegime {
   std::optional<TransientCost> cost;  ///< of a run by the tier transient; else not known
 };
 
-/// Of the scene in file `path`, at the scene's own grid: the speeds come from its flow.
+/// Of the scene in file `path`, without its bodies (as a run chooses its tier), at the
+/// scene's own grid: the speeds come from its flow.
 /// Refuses and fails as measure() does.
 SceneRegime scene_regime(const std::string& path);
 
