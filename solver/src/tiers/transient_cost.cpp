@@ -12,10 +12,11 @@ namespace colloid {
 
 namespace {
 
-// Measured (commit dffa182): the reference scene from 0 to 0.12 s, 1041 steps of 63,000
-// to 79,000 cells, 139 s of processor time.  LIGGGHTS, 10 to 100 colloids: 4.8 us for a
-// step of 100. AMD EPYC virtual machine, 2 cores, busy.
-constexpr double kSecondsPerCell = 1.9e-6;
+// Measured (results/evidence/tier_windows): half a second of the reference scene, clean:
+// 4612 steps of about 84,000 cells, 504 s of processor time; partly clogged: 14,598 of
+// about 115,000, 1872 s: 1.3 and 1.1 us.  LIGGGHTS, 10 to 100 colloids: 4.8 us for a step
+// of 100.  AMD EPYC virtual machine, 2 cores, busy.
+constexpr double kSecondsPerCell = 1.2e-6;
 constexpr double kSecondsPerColloidStep = 4.8e-8;
 
 // About half of the colloids that entered are retained at the end of the reference

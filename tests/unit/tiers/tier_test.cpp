@@ -122,7 +122,7 @@ TEST(TransientCost, IsCellsTimesSteps) {
       predict_transient_cost(duct(kSlow, TierChoice::transient), at_speed(3e-3));
   EXPECT_NEAR(cost.cells, 16.0 * 16.0 * 24.0, 1e-6);
   EXPECT_NEAR(cost.steps, 6e-3 / (0.3 * 1.25e-6), 1e-6);
-  EXPECT_NEAR(cost.seconds, 1.9e-6 * cost.cells * cost.steps, 1e-6);
+  EXPECT_NEAR(cost.seconds, 1.2e-6 * cost.cells * cost.steps, 1e-6);
 }
 
 // A ball of 4 cells and one more all around: pi/6 6^3 cells, of which each becomes 8; as
@@ -133,7 +133,7 @@ TEST(TransientCost, GrowsWithColloids) {
   scene.geometry.bodies.push_back({{{20e-6, 20e-6, 30e-6}, 5e-6}, {}, {}, {}});
   const TransientCost cost = predict_transient_cost(scene, at_speed(3e-3));
   EXPECT_NEAR(cost.cells - empty, 7.0 * kPi / 6.0 * 216.0, 1e-6);
-  EXPECT_NEAR(cost.seconds - 1.9e-6 * cost.cells * cost.steps, 4.8e-8 * 2.0 / 50e-9,
+  EXPECT_NEAR(cost.seconds - 1.2e-6 * cost.cells * cost.steps, 4.8e-8 * 2.0 / 50e-9,
               1e-6);
   scene.fidelity.refinement = 0;
   const TransientCost coarse = predict_transient_cost(scene, at_speed(3e-3));
