@@ -99,9 +99,17 @@ def transient_cases():
     apart = 0.5 * (d + 5e-9)  # within the gap of contact
     square = [{"center": metres(centre + sx * apart, centre + sy * apart, centre),
                "diameter": "13.3 um"} for sx in (-1, 1) for sy in (-1, 1)]
+    # Along the diagonal from grain to grain, as in extremes.py.
+    gap = 5e-9
+    small = (THROAT - 5 * gap) / 4
+    places = [centre + (n - 1.5) * (small + gap) / math.sqrt(2) for n in range(4)]
+    chain = [{"center": metres(x, x, centre), "diameter": f"{small:.9g} m"} for x in places]
     for drive in [{"inlet_velocity": "0.5 mm/s"}, {"pressure_drop": "1 Pa"}]:
         yield ("touching square of four in the throat", next(iter(drive)),
                throat(**{**COARSE, "geometry__bodies": square, "drive": drive}))
+        yield ("touching cluster of four across the throat", next(iter(drive)),
+               throat(**{**COARSE, "geometry__bodies": chain, "drive": drive,
+                         "colloids__diameter": f"{small:.9g} m"}))
     # The throat would have ten million cells.
     duct = throat(fidelity__cells_per_colloid=40, duration="0.02 s",
                   geometry={"box": metres(2 * d, 2 * d, 3 * d), "faces": {
