@@ -117,8 +117,6 @@ def transient_cases():
                       "z-": "outlet", "z+": "inlet"},
                       "bodies": [{"center": metres(d, 0.9 * d, 1.5 * d), "diameter": "13.3 um"}]})
     yield "cells per colloid", "40, in a duct of two diameters", duct
-    for factor in [0.3, 0.5, 1.0]:
-        yield "Courant number", factor, throat(**COARSE, fidelity__courant=factor)
 
 
 def cases_of(tier):
