@@ -1,8 +1,8 @@
 // The octree grid: cells are found by place, and every cell is closed.
 #include "tiers/transient/octree.h"
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <random>
 

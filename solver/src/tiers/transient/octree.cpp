@@ -41,7 +41,6 @@ class MeshBuilder {
     for (int axis = 0; axis < 3; ++axis) {
       lattice_[at(axis)] = levels.cells[at(axis)] << finest_;
     }
-    local_.assign(levels.level.size(), -1);
   }
 
   OctreeMesh build() {
@@ -82,7 +81,6 @@ class MeshBuilder {
       if (level < 0 || rank_of_[base] != rank_) {
         continue;
       }
-      local_[base] = static_cast<int>(leaves_.size());
       const Index3 b = levels_.position(base);
       const int n = 1 << level;
       const int width = 1 << (finest_ - level);
@@ -174,7 +172,7 @@ class MeshBuilder {
     if (outside) {
       add_boundary(box_faces_[at(face)], square, cell);
     } else if (rank_of_[base] == rank_) {
-      const int neighbour = local_[base] + static_cast<int>(other - first_[base]);
+      const int neighbour = mesh_.first[base] + static_cast<int>(other - first_[base]);
       if (neighbour > cell) {
         internal_.push_back({neighbour, square});
       }
@@ -280,7 +278,6 @@ class MeshBuilder {
   int finest_ = 0;
   Index3 lattice_{};  // cubes of the finest level along each axis
   std::vector<std::int64_t> first_;
-  std::vector<int> local_;  // local number of the first cell of a base cell
   std::vector<Leaf> leaves_;
   std::vector<int> points_;  // number of each lattice point; -1: not used
   std::vector<Internal> internal_;
