@@ -58,7 +58,7 @@ solvers
       preconditioner GAMG; smoother GaussSeidel; nCellsInCoarsestLevel 50;
       tolerance 1e-10; relTol 0.1; nVcycles 1; cacheAgglomeration true;
     }
-    tolerance 1e-14; relTol 1e-3; maxIter 200;
+    relTol 1e-3; maxIter 200;
   }
 }
 )";
