@@ -26,7 +26,7 @@ import h5py
 import numpy
 
 import evidence
-from extremes import THROAT, throat
+from extremes import CENTRE, RADIUS, THROAT, metres, throat
 
 COARSE = {"fidelity__cells_per_colloid": 3, "duration": "1 s"}
 # Of the simulated time of one_way: colloids still come from the inlet to the grains.
@@ -90,32 +90,34 @@ def cases():
     yield from case("volume fraction", 0, colloids__volume_fraction=0)
 
 
+def body(x, y, z, diameter):
+    return {"center": [metres(x), metres(y), metres(z)], "diameter": metres(diameter)}
+
+
 def transient_cases():
     """What the tier transient alone has to be asked."""
-    def metres(*values):
-        return [f"{x:.9g} m" for x in values]
     yield PAPER, "", throat(**COARSE)
-    d, centre = 13.3e-6, 48.3e-6
+    d = 2.0 * RADIUS
     apart = 0.5 * (d + 5e-9)  # within the gap of contact
-    square = [{"center": metres(centre + sx * apart, centre + sy * apart, centre),
-               "diameter": "13.3 um"} for sx in (-1, 1) for sy in (-1, 1)]
+    square = [body(CENTRE + sx * apart, CENTRE + sy * apart, CENTRE, d)
+              for sx in (-1, 1) for sy in (-1, 1)]
     # Along the diagonal from grain to grain, as in extremes.py.
     gap = 5e-9
     small = (THROAT - 5 * gap) / 4
-    places = [centre + (n - 1.5) * (small + gap) / math.sqrt(2) for n in range(4)]
-    chain = [{"center": metres(x, x, centre), "diameter": f"{small:.9g} m"} for x in places]
+    places = [CENTRE + (n - 1.5) * (small + gap) / math.sqrt(2) for n in range(4)]
+    chain = [body(x, x, CENTRE, small) for x in places]
     for drive in [{"inlet_velocity": "0.5 mm/s"}, {"pressure_drop": "1 Pa"}]:
         yield ("touching square of four in the throat", next(iter(drive)),
                throat(**{**COARSE, "geometry__bodies": square, "drive": drive}))
         yield ("touching cluster of four across the throat", next(iter(drive)),
                throat(**{**COARSE, "geometry__bodies": chain, "drive": drive,
-                         "colloids__diameter": f"{small:.9g} m"}))
+                         "colloids__diameter": metres(small)}))
     # The throat would have ten million cells.
     duct = throat(fidelity__cells_per_colloid=40, duration="0.02 s",
-                  geometry={"box": metres(2 * d, 2 * d, 3 * d), "faces": {
+                  geometry={"box": [metres(x) for x in (2 * d, 2 * d, 3 * d)], "faces": {
                       **{f"{axis}{side}": "wall" for axis in "xy" for side in "-+"},
                       "z-": "outlet", "z+": "inlet"},
-                      "bodies": [{"center": metres(d, 0.9 * d, 1.5 * d), "diameter": "13.3 um"}]})
+                      "bodies": [body(d, 0.9 * d, 1.5 * d, d)]})
     yield "cells per colloid", "40, in a duct of two diameters", duct
 
 
@@ -180,9 +182,11 @@ def verdict(done, timeout, result):
                                                      "delayed"]):
         return "LOST COLLOIDS", str(counts)
     # Soft spheres of the tier transient: a hundredth of the diameter is the bound.
-    if "overlaps" not in out["solver"] and deepest_overlap(result) > 0.01:
-        return "OVERLAP", f"deepest {deepest_overlap(result):.2g} diameters"
-    if out["solver"].get("overlaps", 0) > 0:
+    if "overlaps" not in out["solver"]:
+        deepest = deepest_overlap(result)
+        if deepest > 0.01:
+            return "OVERLAP", f"deepest {deepest:.2g} diameters"
+    elif out["solver"]["overlaps"] > 0:
         return "OVERLAP", f"{out['solver']['overlaps']:.0f} overlaps, deepest " \
                           f"{out['solver']['deepest_overlap_m']:.2g} m"
     return "survived", (f"{counts['injected']} injected, {counts['retained']} retained, "
