@@ -15,6 +15,7 @@ using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Matrix12 = Eigen::Matrix<double, 12, 12>;  ///< of two bodies
 
 inline Vector3 eigen(const Vec3& v) {
   return {v.x, v.y, v.z};

@@ -6,25 +6,35 @@
 
 namespace colloid {
 
+Matrix6 lost_beside(const SurfaceHindrance& hindrance, const NearSurface& surface,
+                    double radius, double gap, const SeenGap& seen) {
+  const auto at = [&](double width) {
+    NearSurface moved = surface;
+    moved.distance = radius + width;
+    HeldColloid held;
+    hindrance.add(moved, 0.0, {}, held);
+    return held.resistance;
+  };
+  Matrix6 found = at(seen.coupling);
+  if (seen.force != seen.coupling) {
+    found.topLeftCorner<3, 3>() = at(seen.force).topLeftCorner<3, 3>();
+  }
+  if (seen.torque != seen.coupling) {
+    found.bottomRightCorner<3, 3>() = at(seen.torque).bottomRightCorner<3, 3>();
+  }
+  return at(gap) - found;
+}
+
 Matrix6 unresolved_beside(const SurfaceHindrance& hindrance, const NearSurface& surface,
                           double radius, double least_gap, double cell) {
   const double gap = std::max(least_gap, surface.distance - radius);
   if (gap >= kResolvedCells * cell) {
     return Matrix6::Zero();
   }
-  const auto at = [&](double distance) {
-    NearSurface moved = surface;
-    moved.distance = distance;
-    HeldColloid held;
-    hindrance.add(moved, least_gap, {}, held);
-    return held.resistance;
-  };
-  Matrix6 seen = at(radius + cell * gap_seen_by_coupling(gap / cell));
-  seen.topLeftCorner<3, 3>() =
-      at(radius + cell * gap_seen_by_grid(gap / cell)).topLeftCorner<3, 3>();
-  seen.bottomRightCorner<3, 3>() =
-      at(radius + cell * gap_seen_by_turning(gap / cell)).bottomRightCorner<3, 3>();
-  return at(radius + gap) - seen;
+  const double cells = gap / cell;
+  return lost_beside(hindrance, surface, radius, gap,
+                     {cell * gap_seen_by_grid(cells), cell * gap_seen_by_turning(cells),
+                      cell * gap_seen_by_coupling(cells)});
 }
 
 namespace {
@@ -63,21 +73,23 @@ Matrix12 grand_resistance(const PairResistance& r, double a, double b, const Vec
 
 }  // namespace
 
+Matrix12 lost_between(const TwoSphereResistance& pair, const Sphere& one,
+                      const Sphere& two, double gap, double seen) {
+  const Vec3 apart = two.center - one.center;
+  const double mean_radius = 0.5 * (one.radius + two.radius);
+  const Vector3 d = eigen(apart) / norm(apart);
+  return grand_resistance(pair.at(gap / mean_radius), one.radius, two.radius, d) -
+         grand_resistance(pair.at(seen / mean_radius), one.radius, two.radius, d);
+}
+
 Matrix12 unresolved_between(const TwoSphereResistance& pair, const Sphere& one,
                             const Sphere& two, double least_gap, double cell) {
-  const Vec3 apart = two.center - one.center;
-  const double r = norm(apart);
-  const double gap = std::max(least_gap, r - one.radius - two.radius);
+  const double gap =
+      std::max(least_gap, norm(two.center - one.center) - one.radius - two.radius);
   if (gap >= kResolvedCells * cell) {
     return Matrix12::Zero();
   }
-  const double mean_radius = 0.5 * (one.radius + two.radius);
-  // One gap for all: sliding in a gap of two spheres resists neither of them alone but
-  // the slip between them, and only with equal logarithms is rolling left free.
-  const double seen = cell * gap_seen_by_grid(gap / cell);
-  const Vector3 d = eigen(apart) / r;
-  return grand_resistance(pair.at(gap / mean_radius), one.radius, two.radius, d) -
-         grand_resistance(pair.at(seen / mean_radius), one.radius, two.radius, d);
+  return lost_between(pair, one, two, gap, cell * gap_seen_by_grid(gap / cell));
 }
 
 }  // namespace colloid

@@ -32,15 +32,31 @@ inline double gap_seen_by_coupling(double gap) {
   return gap + kGapWideningCoupling * std::exp(-gap / kGapRangeTurning);
 }
 
-/// Beside a fixed surface, of a sphere of `radius` [m]; units of small_matrix.h.  Smaller
-/// gaps count as `least_gap`, `cell` is the grid's width [m].
+/// Gaps whose exact resistance is that which a grid finds [m].
+struct SeenGap {
+  double force = 0.0;     ///< of forces by motion
+  double torque = 0.0;    ///< of torques by spin
+  double coupling = 0.0;  ///< of forces by spin
+};
+
+/// Resistance at `gap` less that at `seen`, of a sphere of `radius` [m] beside a fixed
+/// surface; units of small_matrix.h.
+Matrix6 lost_beside(const SurfaceHindrance& hindrance, const NearSurface& surface,
+                    double radius, double gap, const SeenGap& seen);
+
+/// The same by the grid of the width `cell` [m].  Smaller gaps count as `least_gap`.
 Matrix6 unresolved_beside(const SurfaceHindrance& hindrance, const NearSurface& surface,
                           double radius, double least_gap, double cell);
 
-using Matrix12 = Eigen::Matrix<double, 12, 12>;
+/// Resistance at `gap` less that at `seen` [m], of two spheres that both move, `pair`
+/// made for the ratio of their radii: their wrenches over mu against (U_1, w_1, U_2, w_2)
+/// in m and s, about their centres.  One gap for all: sliding in a gap of two spheres
+/// resists neither of them alone but the slip between them, and only with equal
+/// logarithms is rolling left free.
+Matrix12 lost_between(const TwoSphereResistance& pair, const Sphere& one,
+                      const Sphere& two, double gap, double seen);
 
-/// Of two spheres that both move, `pair` made for the ratio of their radii: their
-/// wrenches over mu against (U_1, w_1, U_2, w_2) in m and s, about their centres.
+/// The same by the grid of the width `cell` [m].  Smaller gaps count as `least_gap`.
 Matrix12 unresolved_between(const TwoSphereResistance& pair, const Sphere& one,
                             const Sphere& two, double least_gap, double cell);
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "dem_case.h"
+#include "physics/wall_resistance.h"
 #include "tiers/transient/dem_lubrication.h"
 
 namespace colloid::dem_test {
@@ -98,24 +99,138 @@ TEST(DemLubrication, SlowsTheApproachOfTwoColloids) {
   });
 }
 
+Matrix12 approach_of_two(double r) {
+  Matrix12 out = Matrix12::Zero();
+  out(0, 0) = out(6, 6) = r;
+  out(0, 6) = out(6, 0) = -r;
+  return out;
+}
+
+Matrix6 approach_to_plane(double r) {
+  Matrix6 out = Matrix6::Zero();
+  out(0, 0) = r;
+  return out;
+}
+
 TEST(DemLubrication, IsSolvedForARowBetweenTwoPlanes) {
-  // Three colloids in a row, gaps at both ends: four equations by hand, D = 1.
-  // v_i + r (v_i - v_(i-1)) + r (v_i - v_(i+1)) = u_i with v = 0 at the planes.
+  // Three colloids in a row, gaps at both ends: four equations by hand, C = 1.
+  // v_i + r (v_i - v_(i-1)) + r (v_i - v_(i+1)) = u_i with v = 0 at the planes, but for
+  // the last, which moves at w.
+  const double w = 0.75;
   for (const double r : {0.1, 10.0, 1000.0}) {
-    std::vector<NarrowGap> gaps{{0, -1, {1, 0, 0}, r, 0},
-                                {1, 0, {1, 0, 0}, r, 0},
-                                {2, 1, {1, 0, 0}, r, 0},
-                                {2, -1, {1, 0, 0}, r, 0}};
-    std::vector<Vec3> v{{1.0, 0.5, 0.0}, {-2.0, 0.0, 0.0}, {4.0, 0.0, 0.25}};
-    solve_lubrication(gaps, {1.0, 1.0, 1.0}, v);
+    std::vector<NarrowGap> gaps{
+        narrow_gap(0, approach_to_plane(r)), narrow_gap(1, 0, approach_of_two(r)),
+        narrow_gap(2, 1, approach_of_two(r)), narrow_gap(2, approach_to_plane(r))};
+    gaps.back().drive[0] = r * w;
+    std::vector<Vector6> v(3, Vector6::Zero());
+    v[0][0] = 1.0;
+    v[0][1] = 0.5;
+    v[1][0] = -2.0;
+    v[2][0] = 4.0;
+    v[2][5] = 0.25;
+    solve_lubrication(gaps, std::vector<Vector6>(3, Vector6::Ones()), v);
     const double b = 1.0 + 2.0 * r;
-    const double middle = (-2.0 + r / b * (1.0 + 4.0)) / (b - 2.0 * r * r / b);
-    EXPECT_NEAR(v[1].x, middle, 1e-6);
-    EXPECT_NEAR(v[0].x, (1.0 + r * middle) / b, 1e-6);
-    EXPECT_NEAR(v[2].x, (4.0 + r * middle) / b, 1e-6);
-    EXPECT_EQ(v[0].y, 0.5);
-    EXPECT_EQ(v[2].z, 0.25);
+    const double last = 4.0 + r * w;
+    const double middle = (-2.0 + r / b * (1.0 + last)) / (b - 2.0 * r * r / b);
+    EXPECT_NEAR(v[1][0], middle, 1e-6);
+    EXPECT_NEAR(v[0][0], (1.0 + r * middle) / b, 1e-6);
+    EXPECT_NEAR(v[2][0], (last + r * middle) / b, 1e-6);
+    EXPECT_EQ(v[0][1], 0.5);
+    EXPECT_EQ(v[2][5], 0.25);
+    // What is at rest feels the gap, and does not move.
+    std::vector<NarrowGap> held{narrow_gap(0, -1, approach_of_two(r))};
+    std::vector<Vector6> alone(1, Vector6::Ones());
+    solve_lubrication(held, {Vector6::Ones()}, alone);
+    EXPECT_NEAR(alone[0][0], 1.0 / (1.0 + r), 1e-12);
+    EXPECT_NEAR(held[0].wrench[6], r / (1.0 + r), 1e-12);
   }
+}
+
+// What (T-D5) leaves of (R1) at the gap: f_t, t_t and t_r of the wall.
+WallResistance missing_at_wall(double gap) {
+  const WallResistance all = wall_resistance(gap / kRadius);
+  const WallResistance seen =
+      wall_resistance(kCell * gap_seen_by_sliding(gap / kCell) / kRadius);
+  WallResistance out;
+  out.f_t = all.f_t - seen.f_t;
+  out.t_t = all.t_t - seen.t_t;
+  out.t_r = all.t_r - seen.t_r;
+  return out;
+}
+
+// Pulled along a wall with no lubrication but (T-D5): steady motion of (R1), two
+// equations.
+TEST(DemLubrication, SlowsSlidingAndMakesTheColloidRoll) {
+  for (const double gap : {2e-8, 2e-7, 1e-6}) {
+    const WallResistance w = missing_at_wall(gap);
+    for (const double step : {5e-8, 2.5e-8}) {
+      Dem dem(lubricated(step), {});
+      dem.add({0, {1e-4, 1e-4, kRadius + gap}, {}, {}});
+      const DemLoad pull = stokes_drag(0, {}, {kPush, 0.0, 0.0});
+      // 6 pi mu a [(1 + f) v - 4/3 t aw] = F,   (1 + r) aw = t v
+      const double spin_per_speed = w.t_t / (1.0 + w.t_r);
+      const double speed =
+          kPush / kDrag / (1.0 + w.f_t - 4.0 / 3.0 * w.t_t * spin_per_speed);
+      // Three hundred relaxation times, in 0.4 gaps at most; the mean is of steady
+      // motion.
+      dem.advance(1e-3, {pull});
+      const DemStep taken = dem.advance(1e-5, {pull});
+      const DemState s = dem.states().at(0);
+      EXPECT_NEAR(s.velocity.x / speed, 1.0, 1e-6) << gap;
+      EXPECT_NEAR(s.spin.y * kRadius / speed, spin_per_speed, 1e-6) << gap;
+      EXPECT_NEAR(s.position.z, kRadius + gap, 1e-12);
+      const DemMean& mean = taken.means.at(0);
+      EXPECT_NEAR(mean.force.x, -(kPush - kDrag * speed), 1e-6 * kPush);
+      EXPECT_NEAR(mean.torque.y, kTorsion * s.spin.y, 1e-6 * kPush * kRadius);
+    }
+  }
+}
+
+TEST(DemLubrication, DragsAlongAWallThatMoves) {
+  const double gap = 2e-7;
+  const WallResistance w = missing_at_wall(gap);
+  DemOptions options = lubricated(5e-8);
+  options.upper_wall_speed = 1e-4;
+  Dem dem(options, {});
+  dem.add({0, {1e-4, 1e-4, 2e-4 - kRadius - gap}, {}, {}});
+  dem.advance(1e-3, {stokes_drag(0, {})});
+  // Seen from the wall the liquid drags with -speed.
+  const double spin_per_speed = w.t_t / (1.0 + w.t_r);
+  const double slip =
+      -options.upper_wall_speed / (1.0 + w.f_t - 4.0 / 3.0 * w.t_t * spin_per_speed);
+  const DemState s = dem.states().at(0);
+  EXPECT_NEAR(s.velocity.x - options.upper_wall_speed, slip,
+              1e-6 * options.upper_wall_speed);
+  EXPECT_NEAR(s.spin.y * kRadius, -spin_per_speed * slip,
+              1e-6 * options.upper_wall_speed);
+}
+
+TEST(DemLubrication, OfTwoColloidsResistsTheirSlipAndLeavesTheRest) {
+  const GapResistance gaps(kViscosity, kRadius, {}, kCell, 1e-10);
+  const double leading = 6.0 * kPi * kViscosity * kRadius;
+  const auto resists = [&](const Vector12& motion, double gap) {
+    const Vec3 offset{0.0, 0.0, 2.0 * kRadius + gap};
+    return motion.dot(gaps.between(offset) * motion) / leading;
+  };
+  Vector12 together = Vector12::Zero();  // v_x of both
+  together[0] = together[6] = 1.0;
+  Vector12 around = Vector12::Zero();  // as one body about the y axis of the gap
+  around << 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, 1, 0;
+  Vector12 slip = Vector12::Zero();
+  slip[0] = 1.0;
+  slip[6] = -1.0;
+  // Jeffrey & Onishi (1984): the logarithm's coefficients are 1/6 (ya11) and -1/6 (ya12)
+  // of ln(1/xi), hence 2/3 for the slip of both; none where the two move as one body.
+  const double before = resists(slip, 1e-8);
+  EXPECT_NEAR(resists(slip, 1e-9) - before, 2.0 / 3.0 * std::log(10.0), 0.01);
+  for (const Vector12& rigid : {together, around}) {
+    EXPECT_NEAR(resists(rigid, 1e-9) - resists(rigid, 1e-8), 0.0, 0.01);
+    EXPECT_LT(std::abs(resists(rigid, 1e-9)), 0.05);
+  }
+  // It is symmetric, and at rest beyond its reach.
+  const Matrix12 oblique = gaps.between({5e-6, 9e-6, 9e-6});
+  EXPECT_NEAR((oblique - oblique.transpose()).norm(), 0.0, 1e-12 * oblique.norm());
+  EXPECT_LT(gaps.between({2.0 * kRadius + 3.0 * kCell, 0.0, 0.0}).norm(), 0.01 * leading);
 }
 
 TEST(DemLubrication, IsWhatTheFlowLeavesOfTheExactPole) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "approach_expectations.h"
+#include "sliding_expectations.h"
 
 namespace colloid {
 namespace {
@@ -16,6 +17,15 @@ TEST(TransientLubricationFine, IsThatOfTwoColloidsAndOfAGrainToo) {
       expect_exact_at(other, 10, along, {0.02, 0.2, 0.4, 1.0, 2.5});
       expect_exact_at(other, 16, along, {0.1, 0.7});
     }
+  }
+}
+
+TEST(TransientLubricationFine, AddsWhatAFlowOfSixteenCellsMissesOfSlidingAndTurning) {
+  expect_sliding(Beside::wall, 16, {0.0, 0.0, 1.0},
+                 {0.02, 0.07, 0.25, 0.45, 0.7, 1.1, 2.0});
+  for (const Beside other : {Beside::grain, Beside::colloid}) {
+    expect_sliding(other, 10, {0.0, 0.0, 1.0}, {0.02, 0.25, 0.7, 1.1});
+    expect_sliding(other, 16, {1.0, 2.0, 3.0}, {0.02, 0.25, 0.7});
   }
 }
 

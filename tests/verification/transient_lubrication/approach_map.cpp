@@ -1,11 +1,13 @@
 // Prints as CSV what the flow resists with near a surface and what of the exact
-// resistance it misses: at a wall in units of the pole, (f_exact - f) h/a, MODEL (T9); at
-// another sphere what is left when sub-grid lubrication is added.
+// resistance it misses.  Approach: at a wall in units of the pole, (f_exact - f) h/a,
+// MODEL (T9); at another sphere what is left when sub-grid lubrication is added.  Sliding
+// and turning: f_t, t_t, f_r, t_r of the flow, with sub-grid lubrication, and exact.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 #include "approach_case.h"
+#include "sliding_case.h"
 #include "tiers/transient/runtime.h"
 
 namespace colloid {
@@ -35,27 +37,55 @@ void map_meeting(Other other, int cells, const Place& place, const Vec3& along) 
   }
 }
 
+void map_sliding(Beside beside, int cells, const Place& place, const Vec3& from_other) {
+  for (const double gap :
+       {0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0}) {
+    const Sliding flow = resolved_sliding(beside, cells, gap, place, from_other);
+    const Sliding all = flow + sub_grid_sliding(beside, cells, gap, from_other);
+    const Sliding exact = exact_sliding(beside, gap * 2.0 / cells);
+    std::printf("%d,%g,%g,%g", cells, place[0], place[1], gap);
+    for (const auto factor :
+         {&Sliding::f_t, &Sliding::t_t, &Sliding::f_r, &Sliding::t_r}) {
+      std::printf(",%.4f,%.4f,%.4f", flow.*factor, all.*factor, exact.*factor);
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+}
+
 }  // namespace
 }  // namespace colloid
 
 int main(int argc, char** argv) {
   using namespace colloid;
   const Runtime runtime(argc, argv);
-  const bool wall = argc == 5 && std::strcmp(argv[1], "wall") == 0;
-  if (!wall && argc != 8) {
+  const auto is = [&](int n, const char* word) {
+    return n < argc && std::strcmp(argv[n], word) == 0;
+  };
+  const bool sliding = is(1, "sliding");
+  const int from = sliding ? 2 : 1;  // the other surface's name
+  const bool wall = is(from, "wall");
+  const bool known = wall || is(from, "colloid") || is(from, "grain");
+  if (!known || argc != from + (wall ? 4 : 7)) {
     std::fputs(
-        "usage: approach_map wall CELLS_PER_DIAMETER PLACE_X PLACE_Y\n"
-        "       approach_map colloid|grain CELLS_PER_DIAMETER PLACE_X PLACE_Y X Y Z\n",
+        "usage: approach_map [sliding] wall CELLS_PER_DIAMETER PLACE_X PLACE_Y\n"
+        "       approach_map [sliding] colloid|grain CELLS_PER_DIAMETER PLACE_X PLACE_Y "
+        "X Y Z\n",
         stderr);
     return 2;
   }
-  const int cells = std::atoi(argv[2]);
-  const Place place{std::atof(argv[3]), std::atof(argv[4])};
-  if (wall) {
+  const auto number = [&](int n) { return std::atof(argv[from + n]); };
+  const int cells = std::atoi(argv[from + 1]);
+  const Place place{number(2), number(3)};
+  const Vec3 along = wall ? Vec3{0.0, 0.0, 1.0} : Vec3{number(4), number(5), number(6)};
+  const bool grain = is(from, "grain");
+  if (sliding) {
+    const Beside other = grain ? Beside::grain : Beside::colloid;
+    map_sliding(wall ? Beside::wall : other, cells, place, along);
+  } else if (wall) {
     map_wall(cells, place);
   } else {
-    map_meeting(std::strcmp(argv[1], "grain") == 0 ? Other::grain : Other::colloid, cells,
-                place, {std::atof(argv[5]), std::atof(argv[6]), std::atof(argv[7])});
+    map_meeting(grain ? Other::grain : Other::colloid, cells, place, along);
   }
   return 0;
 }

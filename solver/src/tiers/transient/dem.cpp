@@ -86,7 +86,7 @@ class Dem::Parts {
       : options(given), grains(spheres) {
     check(options);
     warnings = doubts(options);
-    forces.emplace(options, static_cast<int>(grains.size()));
+    forces.emplace(options, grains);
     as_input([&] {
       engine = std::make_unique<DemEngine>(options, grains, *forces);
       return 0;

@@ -45,10 +45,11 @@ struct DemOptions {
   double least_surface_force = 1e-13;  ///< [N]
   bool permanent_bonds = true;         ///< else they break above the pull-off
 
-  /// Lubrication along the line of centres, less what a flow on cells of the edge
-  /// `lubrication_cell` [m] resists with by itself.
+  /// Lubrication, less what a flow on cells of the edge `lubrication_cell` [m] resists
+  /// with by itself.
   bool lubrication = false;
   double lubrication_cell = 0.0;
+  double upper_wall_speed = 0.0;  ///< along x, of the face z_plus, for lubrication [m/s]
 };
 
 struct DemState {

@@ -22,6 +22,14 @@ double exponential_inertia(double drag, double mass, double h) {
   return z < 1e-12 ? mass / h : drag / -std::expm1(-z);
 }
 
+std::vector<double> radii_of(const std::vector<Sphere>& spheres) {
+  std::vector<double> out;
+  for (const Sphere& sphere : spheres) {
+    out.push_back(sphere.radius);
+  }
+  return out;
+}
+
 /// At that velocity.
 Vec3 hydrodynamic(const DemLoad& load, const Vec3& velocity) {
   return load.force + load.drag * (load.velocity - velocity);
@@ -29,9 +37,9 @@ Vec3 hydrodynamic(const DemLoad& load, const Vec3& velocity) {
 
 }  // namespace
 
-DemForces::DemForces(const DemOptions& options, int grains)
+DemForces::DemForces(const DemOptions& options, const std::vector<Sphere>& grains)
     : options_(options),
-      grains_(grains),
+      grains_(static_cast<int>(grains.size())),
       grain_force_(options.surfaces.grain, options.least_surface_force, false),
       wall_force_(options.surfaces.wall, options.least_surface_force,
                   !options.surfaces.rules.walls_attach),
@@ -49,8 +57,10 @@ DemForces::DemForces(const DemOptions& options, int grains)
   }
   if (options_.lubrication) {
     reach_ = std::max(reach_, kResolvedGap * options_.lubrication_cell);
+    gap_resistance_.emplace(options_.viscosity, a, radii_of(grains),
+                            options_.lubrication_cell,
+                            options_.surfaces.grain.forces.pair().closest_gap);
   }
-  floor_ = options_.surfaces.grain.forces.pair().closest_gap;
 }
 
 DemForces::Slot& DemForces::slot(int id) {
@@ -201,13 +211,13 @@ void DemForces::add_pair(const DemAtoms& atoms, const DemPair& pair) {
   }
 }
 
-void DemForces::narrow(int first, int second, const Vec3& normal, double reduced_radius,
-                       double gap) {
-  if (options_.lubrication && gap < kResolvedGap * options_.lubrication_cell) {
-    gaps_.push_back({first, second, normal,
-                     lubrication_resistance(options_.viscosity, reduced_radius, gap,
-                                            options_.lubrication_cell, floor_),
-                     0.0});
+void DemForces::lubricate(int i, const NearSurface& surface) {
+  if (gap_resistance_ &&
+      surface.distance - options_.radius < kResolvedGap * options_.lubrication_cell) {
+    gaps_.push_back(narrow_gap(i, gap_resistance_->beside(surface)));
+    if (surface.id.kind == SurfaceId::Kind::face && surface.id.index == z_plus) {
+      gaps_.back().drive = options_.upper_wall_speed * gaps_.back().resistance.col(0);
+    }
   }
 }
 
@@ -215,17 +225,17 @@ void DemForces::add_grain(const DemAtoms& atoms, int colloid, int grain,
                           const Vec3& offset) {
   const double distance = norm(offset);
   const Vec3 normal = offset * (1.0 / distance);
-  const double a = atoms.radius[colloid];
   const double b = atoms.radius[grain];
-  const double gap = distance - a - b;
+  const double gap = distance - atoms.radius[colloid] - b;
   if (options_.long_range_forces) {
     add(atoms.f[colloid], grain_force_.at(gap) * normal);
   }
-  narrow(colloid, -1, normal, a * b / (a + b), gap);
+  const int index = atoms.tag[grain] - 1;
+  lubricate(colloid, {{SurfaceId::Kind::grain, index}, distance - b, normal, b});
   const ContactRules& rules = options_.surfaces.rules;
   if (gap <= rules.grain_gap) {
-    attach(atoms, colloid, DemEvent::Kind::touched_grain, atoms.tag[grain] - 1,
-           rules.grain_repulsion, rules.grains_attach, normal);
+    attach(atoms, colloid, DemEvent::Kind::touched_grain, index, rules.grain_repulsion,
+           rules.grains_attach, normal);
   }
 }
 
@@ -238,14 +248,14 @@ void DemForces::add_walls(const DemAtoms& atoms, int i) {
     const int axis = axis_of(face);
     const double side = is_upper(face) ? -1.0 : 1.0;
     const double x = atoms.x[i][axis];
-    const double gap =
-        (is_upper(face) ? options_.box.size[axis] - x : x) - atoms.radius[i];
+    const double distance = is_upper(face) ? options_.box.size[axis] - x : x;
+    const double gap = distance - atoms.radius[i];
     Vec3 normal;
     normal[axis] = side;
     if (options_.long_range_forces) {
       add(atoms.f[i], wall_force_.at(gap) * normal);
     }
-    narrow(i, -1, normal, atoms.radius[i], gap);
+    lubricate(i, {{SurfaceId::Kind::face, face}, distance, normal, HUGE_VAL});
     if (gap <= rules.wall_gap) {
       attach(atoms, i, DemEvent::Kind::touched_wall, face, rules.wall_repulsion,
              rules.walls_attach, normal);
@@ -285,10 +295,9 @@ void DemForces::add_colloids(const DemAtoms& atoms, int one, int other,
     add(atoms.f[one], force);
     add(atoms.f[other], -force);
   }
-  narrow(
-      one, other, normal,
-      atoms.radius[one] * atoms.radius[other] / (atoms.radius[one] + atoms.radius[other]),
-      gap);
+  if (gap_resistance_ && gap < kResolvedGap * options_.lubrication_cell) {
+    gaps_.push_back(narrow_gap(one, other, gap_resistance_->between(offset)));
+  }
 }
 
 void DemForces::attach(const DemAtoms& atoms, int i, DemEvent::Kind kind, int other,
@@ -322,11 +331,6 @@ void DemForces::arrest(const DemAtoms& atoms, int i, DemEvent::Kind kind, int ot
 
 void DemForces::half_kick(const DemAtoms& atoms) {
   const double h = 0.5 * step_;
-  const auto n = static_cast<std::size_t>(atoms.local);
-  if (!gaps_.empty()) {
-    drag_inertia_.assign(n, 0.0);
-    velocity_.assign(n, {});
-  }
   for (int i = 0; i < atoms.local; ++i) {
     if (atoms.type[i] != dem_mobile) {
       continue;
@@ -342,27 +346,43 @@ void DemForces::half_kick(const DemAtoms& atoms) {
     add(atoms.omega[i],
         (1.0 / s.torsion_inertia) *
             (torque + s.load.torque + s.load.torsion * (s.load.spin - spin)));
-    if (!gaps_.empty()) {
-      drag_inertia_[static_cast<std::size_t>(i)] = s.drag_inertia;
-      velocity_[static_cast<std::size_t>(i)] = vector(atoms.v[i]);
-    }
   }
-  if (gaps_.empty()) {
-    return;
+  if (!gaps_.empty()) {
+    add_lubrication(atoms);
   }
-  solve_lubrication(gaps_, drag_inertia_, velocity_);
-  for (int i = 0; i < atoms.local; ++i) {
+}
+
+void DemForces::add_lubrication(const DemAtoms& atoms) {
+  const double h = 0.5 * step_;
+  const double a = options_.radius;
+  const auto n = static_cast<std::size_t>(atoms.local);
+  compliance_.assign(n, Vector6::Zero());
+  motion_.assign(n, Vector6::Zero());
+  for (std::size_t i = 0; i < n; ++i) {
     if (atoms.type[i] == dem_mobile) {
-      set(atoms.v[i], velocity_[static_cast<std::size_t>(i)]);
+      const Slot& s = slot(id_of(atoms.tag[i]));
+      compliance_[i].head<3>().setConstant(1.0 / s.drag_inertia);
+      compliance_[i].tail<3>().setConstant(a * a / s.torsion_inertia);
+      motion_[i] << eigen(vector(atoms.v[i])), a * eigen(vector(atoms.omega[i]));
     }
   }
+  solve_lubrication(gaps_, compliance_, motion_);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (atoms.type[i] == dem_mobile) {
+      set(atoms.v[i], plain(motion_[i].head<3>()));
+      set(atoms.omega[i], plain(motion_[i].tail<3>() / a));
+    }
+  }
+  const auto receive = [&](int i, const Vector6& wrench) {
+    if (i >= 0) {
+      Slot& s = slot(id_of(atoms.tag[i]));
+      s.impulse += h * plain(wrench.head<3>());
+      s.turning += (h * a) * plain(wrench.tail<3>());
+    }
+  };
   for (const NarrowGap& gap : gaps_) {
-    if (gap.first >= 0) {
-      slot(id_of(atoms.tag[gap.first])).impulse += h * gap.force * gap.normal;
-    }
-    if (gap.second >= 0) {
-      slot(id_of(atoms.tag[gap.second])).impulse -= h * gap.force * gap.normal;
-    }
+    receive(gap.first, gap.wrench.head<6>());
+    receive(gap.second, gap.wrench.tail<6>());
   }
 }
 

@@ -3,6 +3,7 @@
 //     half_kick, move | (LIGGGHTS: contacts) | act, half_kick        MODEL (T-D2), (T-D3)
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -18,7 +19,7 @@ namespace colloid {
 
 class DemForces {
  public:
-  DemForces(const DemOptions& options, int grains);
+  DemForces(const DemOptions& options, const std::vector<Sphere>& grains);
 
   /// LIGGGHTS' number of an atom.
   int tag_of(int id) const { return grains_ + 1 + id; }
@@ -66,8 +67,9 @@ class DemForces {
   void add_grain(const DemAtoms& atoms, int colloid, int grain, const Vec3& offset);
   void add_colloids(const DemAtoms& atoms, int one, int other, const Vec3& offset);
   void add_walls(const DemAtoms& atoms, int i);
-  void narrow(int first, int second, const Vec3& normal, double reduced_radius,
-              double gap);
+  /// Lubrication of colloid `i` beside a surface.
+  void lubricate(int i, const NearSurface& surface);
+  void add_lubrication(const DemAtoms& atoms);
   void attach(const DemAtoms& atoms, int i, DemEvent::Kind kind, int other,
               double repulsion, bool attaches, const Vec3& normal);
   void arrest(const DemAtoms& atoms, int i, DemEvent::Kind kind, int other);
@@ -80,13 +82,13 @@ class DemForces {
 
   DemOptions options_;
   int grains_ = 0;
+  std::optional<GapResistance> gap_resistance_;  ///< with lubrication
   double mass_ = 0.0;
   double inertia_ = 0.0;  ///< 2/5 m a^2
   Vec3 weight_;           ///< less buoyancy [N]
   DemSurfaceForce grain_force_, wall_force_, colloid_force_;
   BondStiffness stiffness_;
   double reach_ = 0.0;
-  double floor_ = 0.0;  ///< smallest gap of lubrication [m]
   int frozen_bit_ = 0;
 
   // What continues from interval to interval.
@@ -101,8 +103,8 @@ class DemForces {
   std::vector<Slot> slots_;  ///< by id
   std::vector<DemEvent> events_;
   std::vector<NarrowGap> gaps_;
-  std::vector<double> drag_inertia_;  ///< by atom, for the gaps
-  std::vector<Vec3> velocity_;
+  std::vector<Vector6> compliance_;  ///< by atom, for the gaps: of (v, a w) [m/(N s)]
+  std::vector<Vector6> motion_;
 };
 
 }  // namespace colloid

@@ -1,9 +1,13 @@
-// Sub-grid lubrication, solved together with the drag.                    MODEL (T-D5)
+// Sub-grid lubrication, solved together with the drag.              MODEL (T-D5), (T10)
 #pragma once
 
 #include <vector>
 
-#include "core/vec3.h"
+#include <Eigen/Core>
+
+#include "particles/hindrance.h"
+#include "particles/small_matrix.h"
+#include "physics/pair_resistance.h"
 
 namespace colloid {
 
@@ -14,29 +18,65 @@ constexpr double kResolvedGap = 3.0;
 /// measured, MODEL (T9).  1/x from kResolvedGap on.
 double resolved_resistance(double x);
 
+/// The gap [cells] at which the exact resistance of a sphere that slides or turns is that
+/// which a flow finds at the gap x: measured, MODEL (T10).
+double gap_seen_by_sliding(double x);
+
 /// Resistance to approach [N s/m] at the gap h of surfaces of reduced radius R that a
 /// flow on cells of the edge d leaves: 6 pi mu R^2 (1/h - resolved_resistance(h/d)/d),
 /// constant below `floor`.
 double lubrication_resistance(double viscosity, double reduced_radius, double gap,
                               double cell, double floor);
 
-/// One narrow gap.  Slots: where a colloid's velocity is in the arrays; -1: at rest.
+/// Resistance that a flow leaves, of colloids of one radius in narrow gaps: against
+/// (v, a w) of the one or of both, as (F, T/a) [N s/m].
+class GapResistance {
+ public:
+  /// `cell`: edge of the flow's cells; smaller gaps than `floor` count as that; lengths
+  /// in m.  Refuses grains smaller than a/20, for which there are no resistance
+  /// functions.
+  GapResistance(double viscosity, double radius, const std::vector<double>& grain_radii,
+                double cell, double floor);
+
+  /// Beside a surface at rest.
+  Matrix6 beside(const NearSurface& surface) const;
+  /// Of two colloids; `offset` from the second's centre to the first's.
+  Matrix12 between(const Vec3& offset) const;
+
+ private:
+  double along(double reduced_radius, double gap) const;
+  double seen(double gap) const;
+
+  double viscosity_, radius_, cell_, floor_;
+  SurfaceHindrance surfaces_;
+  TwoSphereResistance colloids_;
+};
+
+using Vector12 = Eigen::Matrix<double, 12, 1>;
+
+/// One narrow gap, of a colloid and a surface, or of two colloids.  Slots: where a
+/// colloid's motion is in the arrays; -1: at rest, or none.
 struct NarrowGap {
   int first = -1;
   int second = -1;
-  Vec3 normal;              ///< unit, from the second to the first
-  double resistance = 0.0;  ///< [N s/m]
-  double force = 0.0;       ///< result: on the first along the normal [N]
+  bool pair = false;    ///< two colloids; else the upper left blocks alone count
+  Matrix12 resistance;  ///< [N s/m]
+  Vector12 drive;       ///< (F, T/a) on those at rest, by a wall that moves [N]
+  Vector12 wrench;      ///< result: (F, T/a) on both [N]
 };
 
-/// Velocities that obey, for every colloid and gap,
+NarrowGap narrow_gap(int colloid, const Matrix6& resistance);
+NarrowGap narrow_gap(int first, int second, const Matrix12& resistance);
+
+/// Motions (v, a w) that obey, for every colloid and gap,
 ///
-///     D (v - v_0) = sum of +- force n,   force = -resistance n . (v_first - v_second)
+///     V = V_0 + C (sum of wrenches),   wrench = drive - resistance (V_first, V_second)
 ///
-/// where v_0 is what `velocity` holds on entry, and D what `inertia` holds [N s/m]:
-/// sweeps over the gaps until no force changes.  ConvergenceError if that does not
-/// happen.
-void solve_lubrication(std::vector<NarrowGap>& gaps, const std::vector<double>& inertia,
-                       std::vector<Vec3>& velocity);
+/// where V_0 is what `motion` holds on entry, and C the diagonal that `compliance` holds
+/// [m/(N s)]: sweeps over the gaps until no wrench changes.  ConvergenceError if that
+/// does not happen.
+void solve_lubrication(std::vector<NarrowGap>& gaps,
+                       const std::vector<Vector6>& compliance,
+                       std::vector<Vector6>& motion);
 
 }  // namespace colloid

@@ -61,6 +61,7 @@ DemOptions dem_options(const Scene& scene, const SurfaceModel& contacts,
   options.permanent_bonds = scene.bonds == Bonds::permanent;
   options.lubrication = scene.fidelity.lubrication == Lubrication::full;
   options.lubrication_cell = cell;
+  options.upper_wall_speed = scene.drive.shear_rate.value_or(0.0) * options.box.size.z;
   return options;
 }
 
