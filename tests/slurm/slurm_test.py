@@ -492,7 +492,9 @@ class Ranks(OnSlurm):
             attempt = self.runs / f"c/p0000-transient/{number:06}/attempt-001"
             ranks = dict(line.split() for line in (attempt / "stdout").read_text()
                          .splitlines() if line.startswith("rank"))
-            self.assertEqual(sorted(ranks), ["rank0/4", "rank1/4", "rank2/4", "rank3/4"])
+            self.assertEqual(sorted(ranks), ["rank0/4", "rank1/4", "rank2/4", "rank3/4"],
+                             "\n".join(f"{file}:\n{file.read_text()}"
+                                       for file in sorted(attempt.parent.glob("*/std*"))))
             if self.cluster.name_hosts:
                 self.assertEqual(len(set(ranks.values())), nodes)
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "dem_case.h"
+#include "physics/pair_resistance.h"
 #include "physics/wall_resistance.h"
 #include "tiers/transient/dem_lubrication.h"
 
@@ -149,8 +150,8 @@ TEST(DemLubrication, IsSolvedForARowBetweenTwoPlanes) {
 // What (T-D5) leaves of (R1) at the gap: f_t, t_t and t_r of the wall.
 WallResistance missing_at_wall(double gap) {
   const WallResistance all = wall_resistance(gap / kRadius);
-  const WallResistance seen =
-      wall_resistance(kCell * gap_seen_by_sliding(gap / kCell) / kRadius);
+  const WallResistance seen = wall_resistance(
+      kCell * gap_seen_by_sliding(gap / kCell, kSeenBesidePlane) / kRadius);
   WallResistance out;
   out.f_t = all.f_t - seen.f_t;
   out.t_t = all.t_t - seen.t_t;
@@ -158,32 +159,48 @@ WallResistance missing_at_wall(double gap) {
   return out;
 }
 
-// Pulled along a wall with no lubrication but (T-D5): steady motion of (R1), two
-// equations.
-TEST(DemLubrication, SlowsSlidingAndMakesTheColloidRoll) {
+// Pulled along a surface with no resistance but Stokes' and (T-D5): the steady motion of
+// (R1), two equations, 6 pi mu a [(1 + f) v - 4/3 t aw] = F,  (1 + r) aw = t v.
+void expect_rolling(Dem& dem, const DemState& start, const WallResistance& w) {
+  dem.add(start);
+  const double push = 1e-4 * kPush;  // which moves it by less than a nanometre
+  const DemLoad pull = stokes_drag(0, {}, {push, 0.0, 0.0});
+  const double spin_per_speed = w.t_t / (1.0 + w.t_r);
+  const double speed = push / kDrag / (1.0 + w.f_t - 4.0 / 3.0 * w.t_t * spin_per_speed);
+  dem.advance(1e-3, {pull});  // a hundred relaxation times
+  const DemStep taken = dem.advance(1e-5, {pull});
+  const DemState s = dem.states().at(0);
+  EXPECT_NEAR(s.velocity.x / speed, 1.0, 1e-6);
+  EXPECT_NEAR(s.spin.y * kRadius / speed, spin_per_speed, 1e-6);
+  const DemMean& mean = taken.means.at(0);
+  EXPECT_NEAR(mean.force.x, -(push - kDrag * speed), 1e-6 * push);
+  EXPECT_NEAR(mean.torque.y, kTorsion * s.spin.y, 1e-6 * push * kRadius);
+}
+
+TEST(DemLubrication, SlowsSlidingAlongAWallAndMakesTheColloidRoll) {
   for (const double gap : {2e-8, 2e-7, 1e-6}) {
-    const WallResistance w = missing_at_wall(gap);
     for (const double step : {5e-8, 2.5e-8}) {
       Dem dem(lubricated(step), {});
-      dem.add({0, {1e-4, 1e-4, kRadius + gap}, {}, {}});
-      const DemLoad pull = stokes_drag(0, {}, {kPush, 0.0, 0.0});
-      // 6 pi mu a [(1 + f) v - 4/3 t aw] = F,   (1 + r) aw = t v
-      const double spin_per_speed = w.t_t / (1.0 + w.t_r);
-      const double speed =
-          kPush / kDrag / (1.0 + w.f_t - 4.0 / 3.0 * w.t_t * spin_per_speed);
-      // Three hundred relaxation times, in 0.4 gaps at most; the mean is of steady
-      // motion.
-      dem.advance(1e-3, {pull});
-      const DemStep taken = dem.advance(1e-5, {pull});
-      const DemState s = dem.states().at(0);
-      EXPECT_NEAR(s.velocity.x / speed, 1.0, 1e-6) << gap;
-      EXPECT_NEAR(s.spin.y * kRadius / speed, spin_per_speed, 1e-6) << gap;
-      EXPECT_NEAR(s.position.z, kRadius + gap, 1e-12);
-      const DemMean& mean = taken.means.at(0);
-      EXPECT_NEAR(mean.force.x, -(kPush - kDrag * speed), 1e-6 * kPush);
-      EXPECT_NEAR(mean.torque.y, kTorsion * s.spin.y, 1e-6 * kPush * kRadius);
+      expect_rolling(dem, {0, {1e-4, 1e-4, kRadius + gap}, {}, {}}, missing_at_wall(gap));
     }
   }
+}
+
+TEST(DemLubrication, SlowsSlidingAlongAGrain) {
+  const double b = 20.3e-6;
+  const double ratio = b / kRadius;
+  const double gap = 2e-7;
+  const TwoSphereResistance pair(ratio);
+  const double mean = 0.5 * (1.0 + ratio) * kRadius;
+  const PairResistance all = pair.at(gap / mean);
+  const PairResistance seen =
+      pair.at(kCell * gap_seen_by_sliding(gap / kCell, kSeenBesideSphere) / mean);
+  WallResistance w;
+  w.f_t = all.ya11 - seen.ya11;
+  w.t_t = -0.5 * (all.yb11 - seen.yb11);
+  w.t_r = all.yc11 - seen.yc11;
+  Dem dem(lubricated(5e-8), {{kMiddle, b}});
+  expect_rolling(dem, {0, kMiddle + Vec3{0.0, 0.0, b + kRadius + gap}, {}, {}}, w);
 }
 
 TEST(DemLubrication, DragsAlongAWallThatMoves) {

@@ -18,10 +18,8 @@ TEST(TransientLubrication, IsThatOfTwoColloidsAndOfAGrainToo) {
 }
 
 TEST(TransientLubrication, AddsWhatTheFlowMissesOfSlidingAndTurning) {
-  expect_sliding(Beside::wall, 10, {0.0, 0.0, 1.0},
-                 {0.02, 0.07, 0.25, 0.45, 0.7, 1.1, 2.0});
-  expect_sliding(Beside::grain, 10, {1.0, 2.0, 3.0}, {0.07, 0.45});
-  expect_sliding(Beside::colloid, 10, {1.0, 2.0, 3.0}, {0.07, 0.45});
+  expect_sliding(Beside::wall, 10, {0.0, 0.0, 1.0}, {0.02, 0.25, 0.7});
+  expect_sliding(Beside::colloid, 10, {1.0, 2.0, 3.0}, {0.07});
 }
 
 }  // namespace

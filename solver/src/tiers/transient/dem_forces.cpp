@@ -39,7 +39,7 @@ Vec3 hydrodynamic(const DemLoad& load, const Vec3& velocity) {
 
 DemForces::DemForces(const DemOptions& options, const std::vector<Sphere>& grains)
     : options_(options),
-      grains_(static_cast<int>(grains.size())),
+      grain_radii_(radii_of(grains)),
       grain_force_(options.surfaces.grain, options.least_surface_force, false),
       wall_force_(options.surfaces.wall, options.least_surface_force,
                   !options.surfaces.rules.walls_attach),
@@ -57,7 +57,7 @@ DemForces::DemForces(const DemOptions& options, const std::vector<Sphere>& grain
   }
   if (options_.lubrication) {
     reach_ = std::max(reach_, kResolvedGap * options_.lubrication_cell);
-    gap_resistance_.emplace(options_.viscosity, a, radii_of(grains),
+    gap_resistance_.emplace(options_.viscosity, a, grain_radii_,
                             options_.lubrication_cell,
                             options_.surfaces.grain.forces.pair().closest_gap);
   }
@@ -223,14 +223,14 @@ void DemForces::lubricate(int i, const NearSurface& surface) {
 
 void DemForces::add_grain(const DemAtoms& atoms, int colloid, int grain,
                           const Vec3& offset) {
+  const int index = atoms.tag[grain] - 1;
   const double distance = norm(offset);
   const Vec3 normal = offset * (1.0 / distance);
-  const double b = atoms.radius[grain];
+  const double b = grain_radii_[static_cast<std::size_t>(index)];
   const double gap = distance - atoms.radius[colloid] - b;
   if (options_.long_range_forces) {
     add(atoms.f[colloid], grain_force_.at(gap) * normal);
   }
-  const int index = atoms.tag[grain] - 1;
   lubricate(colloid, {{SurfaceId::Kind::grain, index}, distance - b, normal, b});
   const ContactRules& rules = options_.surfaces.rules;
   if (gap <= rules.grain_gap) {

@@ -22,8 +22,8 @@ class DemForces {
   DemForces(const DemOptions& options, const std::vector<Sphere>& grains);
 
   /// LIGGGHTS' number of an atom.
-  int tag_of(int id) const { return grains_ + 1 + id; }
-  int id_of(int tag) const { return tag - grains_ - 1; }
+  int tag_of(int id) const { return grains() + 1 + id; }
+  int id_of(int tag) const { return tag - grains() - 1; }
   /// How far neighbours must be known, from surface to surface [m].
   double reach() const { return reach_; }
 
@@ -60,6 +60,7 @@ class DemForces {
     int local = -1;                ///< its atom at present
   };
 
+  int grains() const { return static_cast<int>(grain_radii_.size()); }
   Slot& slot(int id);
   void add_body_forces(const DemAtoms& atoms);
   void add_bond_forces(const DemAtoms& atoms, bool first);
@@ -81,7 +82,7 @@ class DemForces {
   void drop_broken();
 
   DemOptions options_;
-  int grains_ = 0;
+  std::vector<double> grain_radii_;              ///< [m]
   std::optional<GapResistance> gap_resistance_;  ///< with lubrication
   double mass_ = 0.0;
   double inertia_ = 0.0;  ///< 2/5 m a^2

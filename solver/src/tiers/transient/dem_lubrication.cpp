@@ -37,9 +37,7 @@ constexpr std::array<Point, 13> kResolved{{{0.0, 1.32},
                                            {2.0, 0.463},
                                            {3.0, 1.0 / 3.0}}};
 
-// (T10), the same [cells].
-constexpr double kSlidingWidening = 0.43;
-constexpr double kSlidingRange = 0.5;
+constexpr double kSlidingRange = 0.5;  // of (T10), the same [cells]
 
 }  // namespace
 
@@ -55,8 +53,8 @@ double resolved_resistance(double x) {
                   below->resistance + part * (above->resistance - below->resistance));
 }
 
-double gap_seen_by_sliding(double x) {
-  return x + kSlidingWidening * std::exp(-x / kSlidingRange);
+double gap_seen_by_sliding(double x, double closed) {
+  return x + closed * std::exp(-x / kSlidingRange);
 }
 
 double lubrication_resistance(double viscosity, double reduced_radius, double gap,
@@ -97,20 +95,20 @@ double GapResistance::along(double reduced_radius, double gap) const {
   return lubrication_resistance(viscosity_, reduced_radius, gap, cell_, floor_);
 }
 
-double GapResistance::seen(double gap) const {
-  return cell_ * gap_seen_by_sliding(gap / cell_);
+double GapResistance::seen(double gap, double closed) const {
+  return cell_ * gap_seen_by_sliding(gap / cell_, closed);
 }
 
 Matrix6 GapResistance::beside(const NearSurface& surface) const {
   const double a = radius_;
   const double gap = std::max(floor_, surface.distance - a);
-  const double seen_gap = seen(gap);
+  const bool plane = std::isinf(surface.radius);
+  const double seen_gap = seen(gap, plane ? kSeenBesidePlane : kSeenBesideSphere);
   Matrix6 out = 6.0 * kPi * viscosity_ * a *
                 lost_beside(surfaces_, surface, a, gap, {seen_gap, seen_gap, seen_gap});
   const Vector3 n = eigen(surface.normal);
   const Matrix3 across = Matrix3::Identity() - n * n.transpose();
-  const double reduced =
-      std::isinf(surface.radius) ? a : a * surface.radius / (a + surface.radius);
+  const double reduced = plane ? a : a * surface.radius / (a + surface.radius);
   out.topLeftCorner<3, 3>() = across * out.topLeftCorner<3, 3>() * across +
                               along(reduced, gap) * n * n.transpose();
   return out;
@@ -121,8 +119,8 @@ Matrix12 GapResistance::between(const Vec3& offset) const {
   const double gap = std::max(floor_, norm(offset) - 2.0 * a);
   Matrix6 units = Matrix6::Identity();  // from (v, a w) to (v, w)
   units.diagonal().tail<3>().setConstant(1.0 / a);
-  const Matrix12 lost =
-      viscosity_ * lost_between(colloids_, {{}, a}, {-offset, a}, gap, seen(gap));
+  const Matrix12 lost = viscosity_ * lost_between(colloids_, {{}, a}, {-offset, a}, gap,
+                                                  seen(gap, kSeenBesideSphere));
   const Vector3 n = eigen(offset) / norm(offset);
   const Matrix3 across = Matrix3::Identity() - n * n.transpose();
   const Matrix3 approach = along(0.5 * a, gap) * n * n.transpose();

@@ -18,9 +18,13 @@ constexpr double kResolvedGap = 3.0;
 /// measured, MODEL (T9).  1/x from kResolvedGap on.
 double resolved_resistance(double x);
 
-/// The gap [cells] at which the exact resistance of a sphere that slides or turns is that
-/// which a flow finds at the gap x: measured, MODEL (T10).
-double gap_seen_by_sliding(double x);
+/// What a gap that closes is taken for where a sphere slides or turns, beside a plane on
+/// the grid and beside a sphere that is cut by it: measured, MODEL (T10) [cells].
+constexpr double kSeenBesidePlane = 0.43;
+constexpr double kSeenBesideSphere = 0.33;
+/// The gap [cells] at which the exact resistance is that which a flow finds at the gap x,
+/// `closed` one of those.
+double gap_seen_by_sliding(double x, double closed);
 
 /// Resistance to approach [N s/m] at the gap h of surfaces of reduced radius R that a
 /// flow on cells of the edge d leaves: 6 pi mu R^2 (1/h - resolved_resistance(h/d)/d),
@@ -45,7 +49,7 @@ class GapResistance {
 
  private:
   double along(double reduced_radius, double gap) const;
-  double seen(double gap) const;
+  double seen(double gap, double closed) const;
 
   double viscosity_, radius_, cell_, floor_;
   SurfaceHindrance surfaces_;
