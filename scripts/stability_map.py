@@ -1,8 +1,9 @@
 """Where the coupling of fluid and colloid is stable: step against density ratio, explicit and
-implicit; and step against gap, Young's modulus, penalisation strength and refinement level.
+implicit; and step against gap, pressed to a wall and sliding along it, Young's modulus,
+penalisation strength and refinement level.
 
-Writes results/evidence/stability/{map.csv,map.png,more.csv,gap.png,modulus.png,rigidity.png,
-level.png,README.md} with the programs coupling_map and stability_maps (tests/stability), a few
+Writes results/evidence/stability/{map.csv,map.png,more.csv,gap.png,sliding.png,modulus.png,
+rigidity.png,level.png,README.md} with the programs coupling_map and stability_maps (tests/stability), a few
 minutes each.  Needs a release build and gnuplot.
 Usage: python3 scripts/stability_map.py [--map FILE.csv] [--more FILE.csv] [--output FOLDER]
 """
@@ -21,6 +22,7 @@ COLOURS = {"bounded": "#2a7f62", "warned": "#7fb070", "oscillating": "#e0a030",
 # name, what the parameter is, label of the step, the paper's (parameter, step)
 MAPS = {
     "gap": ("gap over radius", "flow step / relaxation time", (0.01, PAPER_STEP)),
+    "sliding": ("gap over radius", "flow step / relaxation time", (0.01, PAPER_STEP)),
     "modulus": ("Young's modulus of colloids [Pa]", "DEM step [s]", (7e7, 5e-8)),
     "rigidity": ("penalisation over nu/h^2 + 1/dt", "flow step / relaxation time",
                  (1e3, PAPER_STEP)),
@@ -52,7 +54,7 @@ Each entry: explicit / implicit. b bounded, o oscillating, u unstable.
 
 ## What it says
 
-- Implicit coupling is bounded at every gap from 0.3 to 1e-4 radii, every penalisation from 1 to 1e6 and every refinement level, up to ten
+- Implicit coupling is bounded at every gap from 0.3 to 1e-4 radii, towards the wall and along it, every penalisation from 1 to 1e6 and every refinement level, up to ten
   relaxation times; at a hundred the first steps from rest pass the final speed (as above), never further.
 - Young's modulus limits the DEM step as (T-D8) says; nothing below its limit was unstable, above half of it there is a warning,
   beyond it the solver refuses.
@@ -75,6 +77,13 @@ five of the last eight steps; *unstable*: twice as fast as the weight makes it f
 {gap}
 
 ![gap](gap.png)
+
+*sliding*: the same with a weight along the wall; the exact resistance is that of a sphere that is free to turn (Goldman, Cox &
+Brenner 1967).
+
+{sliding}
+
+![sliding](sliding.png)
 
 *modulus*: two colloids meet head-on at 5 mm/s each without liquid, restitution 0.9. *bounded*: they part no faster than they met;
 *unstable*: faster, or not; *refused*: by (T-D8).

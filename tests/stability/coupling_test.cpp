@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "coupling_case.h"
+#include "gap_case.h"
 
 namespace colloid {
 namespace {
@@ -33,6 +34,18 @@ TEST(TransientCoupling, ExplicitDivergesBeyondTheRelaxationTime) {
   // Half of the liquid's density: the added mass alone is as large as the body's.
   EXPECT_EQ(coupled_motion(false, 0.5, kRelaxation, 20, kPlace, kCells).outcome,
             Outcome::unstable);
+}
+
+TEST(TransientCoupling, LubricationIsStableAtAnyStepAndGap) {
+  for (const Weight weight : {Weight::towards_wall, Weight::along_wall}) {
+    for (const double gap : {0.1, 1e-2, 1e-4}) {
+      for (const double steps_of : {0.3, 10.0}) {
+        EXPECT_EQ(moved_at_wall(weight, gap, steps_of * kRelaxation, 20).outcome,
+                  Outcome::bounded)
+            << steps_of << " relaxation times, gap " << gap;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A colloid that a weight presses towards a wall through a narrow gap: flow, discrete
-// elements and sub-grid lubrication exchange as in a run.
+// A colloid that a weight presses towards a wall through a narrow gap, or pulls along it:
+// flow, discrete elements and sub-grid lubrication exchange as in a run.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,22 @@
 
 namespace colloid {
 
+enum class Weight { towards_wall, along_wall };
+
+/// Speed of a weight near the wall over that far from walls; free to turn.
+inline double hindered(Weight weight, double gap) {
+  const WallResistance w = wall_resistance(std::max(gap, 1e-6));
+  return weight == Weight::towards_wall
+             ? 1.0 / w.f_n
+             : w.t_r / (w.f_t * w.t_r - 4.0 / 3.0 * w.t_t * w.t_t);
+}
+
 /// From rest at `gap` [radii], `steps` flow steps of `step` [s].  bounded: its speed
-/// never passes that of the weight against Brenner's resistance by more than half, and it
-/// stays off the wall; oscillating: further, or it goes up, or changes direction at five
-/// of the last ten steps; unstable: faster than the weight makes it far from walls, or
-/// not a number.
-inline CouplingResult pressed_to_wall(double gap, double step, int steps) {
+/// never passes that of the weight against the exact resistance by more than half, and it
+/// stays off the wall; oscillating: further, or it goes back, or changes direction at
+/// five of the last eight steps; unstable: twice as fast as the weight makes it far from
+/// walls, or not a number.
+inline CouplingResult moved_at_wall(Weight weight, double gap, double step, int steps) {
   using dem_test::kDrag;
   using dem_test::kRadius;
   constexpr double kSpeed = 1e-4;  // far from walls [m/s]
@@ -30,7 +40,9 @@ inline CouplingResult pressed_to_wall(double gap, double step, int steps) {
   dem_options.box.size = {length, length, length};
   const double mass = dem_options.density * 4.0 / 3.0 * kPi * std::pow(kRadius, 3);
   const double buoyant = mass * (1.0 - 1000.0 / dem_options.density);
-  dem_options.gravity = {0.0, 0.0, -kDrag * kSpeed / buoyant};
+  const Vec3 direction =
+      weight == Weight::towards_wall ? Vec3{0.0, 0.0, -1.0} : Vec3{1.0, 0.0, 0.0};
+  dem_options.gravity = (kDrag * kSpeed / buoyant) * direction;
   Scene scene;
   scene.geometry.box = dem_options.box;
   TransientFlowOptions options;
@@ -41,7 +53,7 @@ inline CouplingResult pressed_to_wall(double gap, double step, int steps) {
   dem_options.lubrication_cell = flow.cell_at_bodies();
   Dem dem(dem_options, {});
   dem.add({0, {0.5 * length, 0.5 * length, (1.0 + gap) * kRadius}, {}, {}});
-  Vec3 force{0.0, 0.0, -kDrag * kSpeed};
+  Vec3 force = (kDrag * kSpeed) * direction;
   Vec3 torque;
   std::vector<double> speed;
   bool too_fast = false;
@@ -64,12 +76,12 @@ inline CouplingResult pressed_to_wall(double gap, double step, int steps) {
       force = moved.means.at(0).force;
       torque = moved.means.at(0).torque;
       const DemState after = dem.states().at(0);
-      speed.push_back(-after.velocity.z);
+      speed.push_back(dot(after.velocity, direction));
       const double now = after.position.z / kRadius - 1.0;
       if (!(std::abs(speed.back()) < 2.0 * kSpeed) || now <= 0.0) {
         return {Outcome::unstable, speed.back()};
       }
-      const double exact = kSpeed / wall_resistance(std::max(now, 1e-6)).f_n;
+      const double exact = kSpeed * hindered(weight, now);
       too_fast = too_fast || speed.back() > 1.5 * exact || speed.back() < -0.05 * exact;
     }
   } catch (const ConvergenceError&) {

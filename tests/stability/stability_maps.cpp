@@ -27,10 +27,10 @@ const char* name(const CouplingResult& result) {
   return kNames[static_cast<int>(result.outcome)];
 }
 
-void over_gaps() {
+void over_gaps(const char* map, Weight weight) {
   for (const double gap : {0.3, 0.1, 0.01, 1e-3, 1e-4}) {
     for (const double step : {0.1, 0.3, 1.0, 10.0}) {
-      print("gap", gap, step, name(pressed_to_wall(gap, step * kRelaxation, kCount)));
+      print(map, gap, step, name(moved_at_wall(weight, gap, step * kRelaxation, kCount)));
     }
   }
 }
@@ -69,12 +69,29 @@ void over_levels() {
 // Which maps: their first letters, all without an argument.
 int main(int argc, char** argv) {
   const Runtime runtime(argc, argv);
-  const std::string maps = argc > 1 ? argv[1] : "mrlg";
+  const std::string maps = argc > 1 ? argv[1] : "mrlgs";
   std::puts("map,parameter,step,outcome");
   for (const char map : maps) {
-    map == 'm'
-        ? over_moduli()
-        : (map == 'r' ? over_rigidity() : (map == 'l' ? over_levels() : over_gaps()));
+    switch (map) {
+      case 'm':
+        over_moduli();
+        break;
+      case 'r':
+        over_rigidity();
+        break;
+      case 'l':
+        over_levels();
+        break;
+      case 'g':
+        over_gaps("gap", Weight::towards_wall);
+        break;
+      case 's':
+        over_gaps("sliding", Weight::along_wall);
+        break;
+      default:
+        std::fputs("usage: stability_maps [letters of m, r, l, g, s]\n", stderr);
+        return 2;
+    }
   }
   return 0;
 }

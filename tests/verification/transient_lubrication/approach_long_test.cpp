@@ -22,7 +22,8 @@ TEST(TransientLubricationFine, IsThatOfTwoColloidsAndOfAGrainToo) {
 
 TEST(TransientLubricationFine, AddsWhatTheFlowMissesOfSlidingAndTurning) {
   for (const int cells : {10, 16}) {
-    expect_sliding(Beside::wall, cells, {0.0, 0.0, 1.0}, {0.02, 0.07, 0.25, 0.45, 1.1, 2.0});
+    expect_sliding(Beside::wall, cells, {0.0, 0.0, 1.0},
+                   {0.02, 0.07, 0.25, 0.45, 1.1, 2.0});
     for (const Beside other : {Beside::grain, Beside::colloid}) {
       expect_sliding(other, cells, {1.0, 2.0, 3.0}, {0.02, 0.25, 0.7});
     }

@@ -23,10 +23,9 @@ double exponential_inertia(double drag, double mass, double h) {
 }
 
 std::vector<double> radii_of(const std::vector<Sphere>& spheres) {
-  std::vector<double> out;
-  for (const Sphere& sphere : spheres) {
-    out.push_back(sphere.radius);
-  }
+  std::vector<double> out(spheres.size());
+  std::transform(spheres.begin(), spheres.end(), out.begin(),
+                 [](const Sphere& sphere) { return sphere.radius; });
   return out;
 }
 
