@@ -18,6 +18,11 @@ constexpr double kApproachRadius = 5e-6;  // [m]
 /// Where the sphere's axis lies between the grid's planes, in cells.
 using Place = std::array<double, 2>;
 
+// In a narrow gap the pressure comes to its steady state by a few per cent of what is
+// missing in a step, of whatever length: some two hundred steps.
+constexpr int kMostSteps = 500;
+constexpr double kSettledForce = 1e-4;  // change in a step, relative
+
 /// Force against `against` over 6 pi mu a U on the first body, once the liquid has
 /// followed.
 inline double settled_force(TransientFlow& flow, const Scene& scene,
@@ -25,10 +30,10 @@ inline double settled_force(TransientFlow& flow, const Scene& scene,
   const double stokes =
       6.0 * kPi * scene.fluid.viscosity * kApproachRadius * norm(bodies[0].velocity);
   double force = 0.0;
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < kMostSteps; ++n) {
     const double before = force;
     force = dot(flow.step(1e-4, bodies)[0].force, against) / stokes;
-    if (std::abs(force - before) < 3e-4 * force) {
+    if (std::abs(force - before) < kSettledForce * force) {
       break;
     }
   }
@@ -83,15 +88,16 @@ inline double ratio_of(Other other) {
   return other == Other::grain ? 2.0 : 1.0;
 }
 
+/// `height`: of the middle of the box, as `place`.
 inline double resolved_meeting(Other other, int cells_per_diameter, double gap,
-                               const Place& place, Vec3 along) {
+                               const Place& place, Vec3 along, double height = 0.31) {
   constexpr int kRadii = 12;
   const double a = kApproachRadius;
   const double h = 2.0 * a / cells_per_diameter;
   along = (1.0 / norm(along)) * along;
   Scene scene = closed_cube(kRadii);
   const Vec3 middle{(0.5 * kRadii) * a + place[0] * h, (0.5 * kRadii) * a + place[1] * h,
-                    (0.5 * kRadii) * a + 0.31 * h};
+                    (0.5 * kRadii) * a + height * h};
   const double b = ratio_of(other) * a;
   const Vec3 here = middle + (b + 0.5 * gap * h) * along;  // the gap is near the middle
   const Vec3 there = here - (a + b + gap * h) * along;

@@ -58,12 +58,12 @@ inline TransientFlowOptions wide_box_cells(int cells_per_diameter) {
 inline FlowResponse settled_response(TransientFlow& flow,
                                      const std::vector<FlowBody>& bodies, double stokes) {
   FlowResponse found;
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < kMostSteps; ++n) {
     const FlowResponse before = found;
     found = flow.step(1e-4, bodies)[0];
     if (norm(found.force - before.force) +
             norm(found.torque - before.torque) / kApproachRadius <
-        3e-4 * stokes) {
+        kSettledForce * stokes) {
       break;
     }
   }

@@ -23,18 +23,18 @@ constexpr double kSmallestRatio = 0.05;  // of radii for which there are functio
 struct Point {
   double gap, resistance;
 };
-constexpr std::array<Point, 13> kResolved{{{0.0, 1.32},
-                                           {0.1, 1.29},
-                                           {0.2, 1.245},
-                                           {0.3, 1.20},
-                                           {0.4, 1.14},
-                                           {0.5, 1.08},
-                                           {0.6, 1.005},
-                                           {0.8, 0.89},
-                                           {1.0, 0.80},
-                                           {1.25, 0.67},
-                                           {1.5, 0.578},
-                                           {2.0, 0.463},
+constexpr std::array<Point, 13> kResolved{{{0.0, 1.65},
+                                           {0.1, 1.59},
+                                           {0.2, 1.49},
+                                           {0.3, 1.405},
+                                           {0.4, 1.32},
+                                           {0.5, 1.225},
+                                           {0.6, 1.14},
+                                           {0.8, 0.98},
+                                           {1.0, 0.845},
+                                           {1.25, 0.70},
+                                           {1.5, 0.593},
+                                           {2.0, 0.466},
                                            {3.0, 1.0 / 3.0}}};
 
 constexpr double kSlidingRange = 0.5;  // of (T10), the same [cells]

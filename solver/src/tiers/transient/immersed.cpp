@@ -28,7 +28,7 @@ double cut(const Vec3& arm, int axis, double step, double r) {
 
 // In cells: nearer to another surface a body's cells stay liquid, and how strongly they
 // then follow it, over nu/h^2.
-constexpr double kOpen = 0.75;
+constexpr double kOpen = 1.0;
 constexpr double kOpenStrength = 2.0;
 
 bool near_wall(const Box& box, const Vec3& x, const Vec3& size) {
