@@ -7,9 +7,11 @@
 //            twice); inertia adds m/resistance rate, below 1e-3 here and the same at both
 //            steps, so the difference of two steps is asked for too.
 #include <functional>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "dem_case.h"
 #include "physics/pair_resistance.h"
 #include "physics/wall_resistance.h"
@@ -201,6 +203,16 @@ TEST(DemLubrication, SlowsSlidingAlongAGrain) {
   w.t_r = all.yc11 - seen.yc11;
   Dem dem(lubricated(5e-8), {{kMiddle, b}});
   expect_rolling(dem, {0, kMiddle + Vec3{0.0, 0.0, b + kRadius + gap}, {}, {}}, w);
+}
+
+TEST(DemLubrication, RefusesGrainsForWhichThereIsNoResistance) {
+  try {
+    Dem dem(lubricated(5e-8), {{kMiddle, kRadius / 25.0}});
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("/fidelity/lubrication"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(DemLubrication, DragsAlongAWallThatMoves) {
