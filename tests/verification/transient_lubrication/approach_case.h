@@ -40,8 +40,7 @@ inline double settled_force(TransientFlow& flow, const Scene& scene,
   return force;
 }
 
-/// A closed box of so many radii, all walls, with two levels of refinement at bodies and
-/// grains.
+/// A closed box of so many radii, all walls.
 inline Scene closed_cube(int radii) {
   constexpr FaceCondition kWall = FaceCondition::wall;
   const double size = radii * kApproachRadius;
@@ -50,12 +49,14 @@ inline Scene closed_cube(int radii) {
   return scene;
 }
 
-inline TransientFlowOptions cube_cells(int radii, int cells_per_diameter) {
-  const int base = radii * cells_per_diameter / 8;
+/// So many cells per diameter at bodies and grains, the base cell halved `levels` times.
+inline TransientFlowOptions cube_cells(int radii, int cells_per_diameter,
+                                       int levels = 2) {
+  const int base = radii * cells_per_diameter / (2 << levels);
   TransientFlowOptions options;
   options.cells = {base, base, base};
-  options.refinement = 2;
-  options.wall_refinement = 2;
+  options.refinement = levels;
+  options.wall_refinement = levels;
   return options;
 }
 

@@ -42,17 +42,8 @@ inline Directions directions(const Vec3& from_other) {
   return d;
 }
 
-/// Box of 24 radii, wide enough that its other walls add less than 0.01 to f_t; the cell
-/// is halved three times at bodies, walls near them and grains.
+/// Radii: so wide that the other walls of the box add less than 0.01 to f_t.
 constexpr int kWideBox = 24;
-inline TransientFlowOptions wide_box_cells(int cells_per_diameter) {
-  const int base = kWideBox * cells_per_diameter / 16;
-  TransientFlowOptions options;
-  options.cells = {base, base, base};
-  options.refinement = 3;
-  options.wall_refinement = 3;
-  return options;
-}
 
 /// The flow's, once the liquid has followed.
 inline FlowResponse settled_response(TransientFlow& flow,
@@ -101,7 +92,7 @@ inline Sliding resolved_sliding(Beside beside, int cells_per_diameter, double ga
       bodies[1].velocity = -velocity;
       bodies[1].spin = spin;
     }
-    TransientFlow flow(scene, wide_box_cells(cells_per_diameter));
+    TransientFlow flow(scene, cube_cells(kWideBox, cells_per_diameter, 3));
     return settled_response(flow, bodies, stokes);
   };
   const FlowResponse slides = answer(speed * d.along, {});
